@@ -1,0 +1,619 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlockOctree.h"
+
+#include "TriangleBoxOverlap.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace featurehex
+{
+namespace
+{
+using BlockIndex = std::array<int, 3>;
+
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g", value);
+  return text;
+}
+
+Block ChildBlock(const Block& block, int child)
+{
+  return { block.Level + 1,
+    { 2 * block.Index[0] + (child & 1), 2 * block.Index[1] + (child >> 1 & 1),
+      2 * block.Index[2] + (child >> 2) } };
+}
+
+/// Root grid and local coordinates counted in target edge lengths, in which every block
+/// has its corners at exact multiples of its size.
+struct RootFrame
+{
+  Vec3 Origin = Vec3::Zero();
+  Mat3 Axes = Mat3::Identity();
+  double Unit = 1.0;
+  int BaseLevel = 0;
+  double Count[3] = { 0, 0, 0 }; ///< root blocks along each axis; may be beyond any integer
+
+  double BlockSize(int level) const { return 2 * std::ldexp(1.0, this->BaseLevel - level); }
+  Vec3 ToLocal(const Vec3& p) const
+  {
+    return this->Axes.transpose() * (p - this->Origin) / this->Unit;
+  }
+  double Blocks() const { return this->Count[0] * this->Count[1] * this->Count[2]; }
+};
+
+/// Box of the surface in the frame @a axes around the model's origin.
+Box BoxAlong(const SurfaceMesh& surface, const Mat3& axes)
+{
+  Box box;
+  for (const Triangle& t : surface.Triangles)
+  {
+    for (Index v : t)
+    {
+      box.Extend(axes.transpose() * surface.Points[v]);
+    }
+  }
+  return box;
+}
+
+/// Principal axes of the surface as a homogeneous shell, right-handed. The integral of x x^T over a
+/// triangle of area A is A/12 (sum v v^T + (sum v)(sum v)^T).
+Mat3 PrincipalAxes(const SurfaceMesh& surface, const Vec3& center)
+{
+  double area = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Vec3 v[3] = { surface.Points[t[0]] - center, surface.Points[t[1]] - center,
+      surface.Points[t[2]] - center };
+    const double a = 0.5 * (v[1] - v[0]).cross(v[2] - v[0]).norm();
+    const Vec3 sum = v[0] + v[1] + v[2];
+    area += a;
+    first += a / 3 * sum;
+    second += a / 12 * (sum * sum.transpose());
+    for (const Vec3& p : v)
+    {
+      second += a / 12 * (p * p.transpose());
+    }
+  }
+  if (!(area > 0))
+  {
+    return Mat3::Identity();
+  }
+  const Mat3 covariance = second / area - (first / area) * (first / area).transpose();
+  Eigen::SelfAdjointEigenSolver<Mat3> solver(covariance);
+  Mat3 axes;
+  for (int k = 0; k < 3; ++k)
+  {
+    Vec3 axis = solver.eigenvectors().col(2 - k);
+    int largest = 0;
+    axis.cwiseAbs().maxCoeff(&largest);
+    axes.col(k) = axis[largest] < 0 ? Vec3(-axis) : axis;
+  }
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+Status CheckInput(const SurfaceMesh& surface, const std::vector<RefinementPoint>& points,
+  const OctreeOptions& options)
+{
+  if (!(options.TargetEdgeLength > 0) || !std::isfinite(options.TargetEdgeLength))
+  {
+    return Status(StatusCode::InvalidOption,
+      "TargetEdgeLength is " + Number(options.TargetEdgeLength) +
+        "; the octree needs a positive length in model units.");
+  }
+  if (options.MaximumLevel < 0 || options.MaximumLevel > 12 || options.CoarseLevels < 0 ||
+    options.CoarseLevels > 12 || options.MarginCells < 2 || options.MaximumNumberOfCells < 1 ||
+    options.MaximumNumberOfCells > 1000000000)
+  {
+    return Status(StatusCode::InvalidOption,
+      "Octree options out of range: MaximumLevel " + std::to_string(options.MaximumLevel) +
+        " (0 to 12), CoarseLevels " + std::to_string(options.CoarseLevels) +
+        " (0 to 12), MarginCells " + std::to_string(options.MarginCells) +
+        " (at least 2), MaximumNumberOfCells " + std::to_string(options.MaximumNumberOfCells) +
+        " (1 to 10^9).");
+  }
+  if (surface.Triangles.empty())
+  {
+    return Status(StatusCode::EmptySurface, "The surface has no triangles to build an octree from.");
+  }
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    for (Index v : surface.Triangles[t])
+    {
+      if (v < 0 || static_cast<std::size_t>(v) >= surface.Points.size())
+      {
+        return Status(StatusCode::IndexOutOfRange,
+          "Triangle " + std::to_string(t) + " refers to point " + std::to_string(v) + " of " +
+            std::to_string(surface.Points.size()) + ".");
+      }
+      if (!surface.Points[v].allFinite())
+      {
+        return Status(StatusCode::NonFinite,
+          "Point " + std::to_string(v) + " of the surface has a coordinate that isn't finite.");
+      }
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (!points[i].Position.allFinite())
+    {
+      return Status(StatusCode::NonFinite,
+        "Refinement point " + std::to_string(i) + " has a coordinate that isn't finite.");
+    }
+  }
+  return Status();
+}
+
+RootFrame MakeRootFrame(const SurfaceMesh& surface, const OctreeOptions& options)
+{
+  RootFrame frame;
+  frame.Unit = options.TargetEdgeLength;
+  frame.BaseLevel = options.CoarseLevels;
+  Box box = BoxAlong(surface, frame.Axes);
+  if (options.AlignToPrincipalAxes)
+  {
+    const Mat3 axes = PrincipalAxes(surface, box.Center());
+    const Box turned = BoxAlong(surface, axes);
+    if (turned.Size().prod() < 0.99 * box.Size().prod())
+    {
+      frame.Axes = axes;
+      box = turned;
+    }
+  }
+  const double root = frame.BlockSize(0) * frame.Unit;
+  const double margin = options.MarginCells * frame.Unit;
+  Vec3 size;
+  for (int k = 0; k < 3; ++k)
+  {
+    frame.Count[k] = std::max(1.0, std::ceil((box.Size()[k] + 2 * margin) / root));
+    size[k] = frame.Count[k] * root;
+  }
+  frame.Origin = frame.Axes * (box.Center() - 0.5 * size);
+  return frame;
+}
+
+/// Level of a refinement point, counted from the root.
+int AbsoluteLevel(const RefinementPoint& point, const OctreeOptions& options)
+{
+  return std::max(0, options.CoarseLevels + std::min(point.Level, options.MaximumLevel));
+}
+
+OctreePrediction PredictInFrame(const SurfaceMesh& surface,
+  const std::vector<RefinementPoint>& points, const OctreeOptions& options,
+  const RootFrame& frame)
+{
+  double projected = 0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Vec3 a = surface.Points[t[0]];
+    const Vec3 normal = (surface.Points[t[1]] - a).cross(surface.Points[t[2]] - a) / 2;
+    projected += (frame.Axes.transpose() * normal).cwiseAbs().sum();
+  }
+  projected /= frame.Unit * frame.Unit;
+  double leaves = frame.Blocks();
+  double shell = 1;
+  for (int level = frame.BaseLevel - 1; level >= 0; --level)
+  {
+    // Each coarser level is met by the surface and split once more by the balance around it.
+    const double size = frame.BlockSize(level);
+    shell = std::min(projected / (size * size) + (level < frame.BaseLevel - 1 ? 2.2 : 1.0) *
+            std::sqrt(projected) / size + 1, frame.Blocks() * std::pow(8.0, level));
+    leaves += 7 * shell;
+  }
+  for (const RefinementPoint& point : points)
+  {
+    leaves += 7.0 * 8.0 * std::max(0, AbsoluteLevel(point, options) - frame.BaseLevel);
+  }
+  constexpr double limit = 9e18;
+  OctreePrediction prediction;
+  prediction.Cells = static_cast<std::int64_t>(std::min(limit, 8 * leaves));
+  prediction.Hexes = static_cast<std::int64_t>(std::min(limit, 1.25 * 8 * leaves));
+  return prediction;
+}
+
+Status CellLimitStatus(const OctreePrediction& prediction, const OctreeOptions& options)
+{
+  return Status(StatusCode::CellLimit,
+    "The octree needs about " +
+      std::to_string(std::max(prediction.Cells, options.MaximumNumberOfCells + 1)) +
+      " cells, more than MaximumNumberOfCells = " + std::to_string(options.MaximumNumberOfCells) +
+      ". Raise TargetEdgeLength (now " + Number(options.TargetEdgeLength) +
+      ") or MaximumNumberOfCells, or ask for less refinement.");
+}
+
+/// The octree while it grows: nodes with eight consecutive children, no other links.
+class BlockTree
+{
+public:
+  BlockTree(const BlockIndex& roots, std::int64_t maximumLeaves)
+    : Roots(roots)
+    , FirstChild(static_cast<std::size_t>(roots[0]) * roots[1] * roots[2], -1)
+    , Leaves(static_cast<std::int64_t>(FirstChild.size()))
+    , MaximumLeaves(maximumLeaves)
+  {
+  }
+
+  /// False as soon as a split was refused; the tree is then incomplete.
+  bool WithinLimit() const { return this->Leaves <= this->MaximumLeaves; }
+  std::int64_t NumberOfLeaves() const { return this->Leaves; }
+
+  /// Number of levels that hold split blocks = level of the finest leaves.
+  int Depth() const { return static_cast<int>(this->SplitBlocks.size()); }
+
+  std::int32_t Root(const BlockIndex& index) const
+  {
+    return index[0] + this->Roots[0] * (index[1] + this->Roots[1] * index[2]);
+  }
+  std::int32_t Child(std::int32_t node) const { return this->FirstChild[node]; }
+
+  /// First of the eight children of a block, made if necessary; -1 beyond the limit.
+  std::int32_t Split(std::int32_t node, int level, const BlockIndex& index)
+  {
+    if (this->FirstChild[node] < 0)
+    {
+      this->Leaves += 7;
+      if (!this->WithinLimit())
+      {
+        return -1;
+      }
+      this->FirstChild[node] = static_cast<std::int32_t>(this->FirstChild.size());
+      this->FirstChild.resize(this->FirstChild.size() + 8, -1);
+      if (level >= this->Depth())
+      {
+        this->SplitBlocks.resize(level + 1);
+      }
+      this->SplitBlocks[level].push_back(index);
+    }
+    return this->FirstChild[node];
+  }
+
+  /// Node of a block inside the root grid, made by splitting its ancestors; -1 beyond the limit.
+  std::int32_t Ensure(int level, const BlockIndex& index)
+  {
+    BlockIndex at = { index[0] >> level, index[1] >> level, index[2] >> level };
+    std::int32_t node = this->Root(at);
+    for (int l = 0; l < level; ++l)
+    {
+      node = this->Split(node, l, at);
+      if (node < 0)
+      {
+        return -1;
+      }
+      const int down = level - l - 1;
+      at = { index[0] >> down, index[1] >> down, index[2] >> down };
+      node += (at[0] & 1) | (at[1] & 1) << 1 | (at[2] & 1) << 2;
+    }
+    return node;
+  }
+
+  bool Inside(int level, const BlockIndex& index) const
+  {
+    return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < this->Roots[0] << level &&
+      index[1] < this->Roots[1] << level && index[2] < this->Roots[2] << level;
+  }
+
+  /// Strong balance. Two leaves that touch differ by two levels exactly when some split block has a
+  /// neighbour position of its own size that doesn't exist as a block, so it is enough to make
+  /// the 26 neighbours of all split blocks, from the finest level to the coarsest.
+  bool Balance(Monitor& monitor)
+  {
+    for (int level = this->Depth() - 1; level > 0; --level)
+    {
+      for (std::size_t n = 0; n < this->SplitBlocks[level].size(); ++n)
+      {
+        if (n % 65536 == 0 && !monitor.Update(0.9))
+        {
+          return false;
+        }
+        const BlockIndex c = this->SplitBlocks[level][n];
+        for (int d = 0; d < 27; ++d)
+        {
+          const BlockIndex at = { c[0] + d % 3 - 1, c[1] + d / 3 % 3 - 1, c[2] + d / 9 - 1 };
+          if (this->Inside(level, at) && this->Ensure(level, at) < 0)
+          {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  std::vector<BlockKey> SortedLeaves(int depth) const
+  {
+    std::vector<std::pair<BlockKey, BlockIndex>> roots; // along the Z curve
+    for (int z = 0; z < this->Roots[2]; ++z)
+    {
+      for (int y = 0; y < this->Roots[1]; ++y)
+      {
+        for (int x = 0; x < this->Roots[0]; ++x)
+        {
+          roots.emplace_back(PackBlock({ 0, { x, y, z } }, depth), BlockIndex{ x, y, z });
+        }
+      }
+    }
+    std::sort(roots.begin(), roots.end());
+    std::vector<BlockKey> leaves;
+    leaves.reserve(static_cast<std::size_t>(this->Leaves));
+    for (const auto& root : roots)
+    {
+      this->Append(this->Root(root.second), { 0, root.second }, depth, leaves);
+    }
+    return leaves;
+  }
+
+private:
+  void Append(
+    std::int32_t node, const Block& block, int depth, std::vector<BlockKey>& leaves) const
+  {
+    const std::int32_t first = this->FirstChild[node];
+    if (first < 0)
+    {
+      leaves.push_back(PackBlock(block, depth));
+      return;
+    }
+    for (int child = 0; child < 8; ++child)
+    {
+      this->Append(first + child, ChildBlock(block, child), depth, leaves);
+    }
+  }
+
+  BlockIndex Roots;
+  std::vector<std::int32_t> FirstChild;
+  std::int64_t Leaves;
+  std::int64_t MaximumLeaves;
+  std::vector<std::vector<BlockIndex>> SplitBlocks;
+};
+
+/// Splits the blocks that meet the surface, top down with lists of the triangles in each block.
+class SurfaceSplitter
+{
+public:
+  SurfaceSplitter(const SurfaceMesh& surface, const RootFrame& frame, BlockTree& tree)
+    : Triangles(surface.Triangles)
+    , Frame(frame)
+    , Tree(tree)
+  {
+    this->Points.reserve(surface.Points.size());
+    for (const Vec3& p : surface.Points)
+    {
+      this->Points.push_back(frame.ToLocal(p));
+    }
+  }
+
+  /// False beyond the cell limit or when stopped.
+  bool Run(const BlockIndex& roots, Monitor& monitor)
+  {
+    std::vector<std::pair<BlockIndex, Index>> pairs; // root block (z first), triangle
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      this->DistributeToRoots(static_cast<Index>(t), roots, pairs);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    for (std::size_t begin = 0; begin < pairs.size();)
+    {
+      if (!monitor.Update(0.1 + 0.6 * static_cast<double>(begin) / pairs.size()))
+      {
+        return false;
+      }
+      this->List.clear();
+      const BlockIndex key = pairs[begin].first;
+      for (; begin < pairs.size() && pairs[begin].first == key; ++begin)
+      {
+        this->List.push_back(pairs[begin].second);
+      }
+      const BlockIndex root = { key[2], key[1], key[0] };
+      if (!this->Split(this->Tree.Root(root), 0, root, 0))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  bool Meets(Index triangle, int level, const BlockIndex& block) const
+  {
+    const double size = this->Frame.BlockSize(level);
+    const Triangle& t = this->Triangles[triangle];
+    const Vec3 center(
+      (block[0] + 0.5) * size, (block[1] + 0.5) * size, (block[2] + 0.5) * size);
+    return TriangleBoxOverlap(center, Vec3::Constant(size / 2), this->Points[t[0]],
+      this->Points[t[1]], this->Points[t[2]]);
+  }
+
+  void DistributeToRoots(Index triangle, const BlockIndex& roots,
+    std::vector<std::pair<BlockIndex, Index>>& pairs) const
+  {
+    const Triangle& t = this->Triangles[triangle];
+    const double size = this->Frame.BlockSize(0);
+    int low[3];
+    int high[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double x[3] = { this->Points[t[0]][k], this->Points[t[1]][k], this->Points[t[2]][k] };
+      // One block more on each side when the triangle may touch the border between two.
+      const double slack = 1e-9;
+      low[k] = std::clamp(
+        static_cast<int>(std::floor(*std::min_element(x, x + 3) / size - slack)), 0, roots[k] - 1);
+      high[k] = std::clamp(
+        static_cast<int>(std::floor(*std::max_element(x, x + 3) / size + slack)), 0, roots[k] - 1);
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+      for (int y = low[1]; y <= high[1]; ++y)
+      {
+        for (int x = low[0]; x <= high[0]; ++x)
+        {
+          if (this->Meets(triangle, 0, { x, y, z }))
+          {
+            pairs.emplace_back(BlockIndex{ z, y, x }, triangle);
+          }
+        }
+      }
+    }
+  }
+
+  /// The block meets the triangles at the end of List, from @a begin on.
+  bool Split(std::int32_t node, int level, const BlockIndex& block, std::size_t begin)
+  {
+    if (level >= this->Frame.BaseLevel)
+    {
+      return true;
+    }
+    const std::int32_t first = this->Tree.Split(node, level, block);
+    if (first < 0)
+    {
+      return false;
+    }
+    const std::size_t end = this->List.size();
+    const bool last = level + 1 == this->Frame.BaseLevel;
+    // Whether a child is split at all is known from the first triangle; only children with
+    // grandchildren to split need their whole list.
+    const bool firstIsEnough = level + 2 == this->Frame.BaseLevel;
+    for (int child = 0; child < 8 && !last; ++child)
+    {
+      const BlockIndex index = ChildBlock({ level, block }, child).Index;
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        const Index triangle = this->List[n];
+        if (this->Meets(triangle, level + 1, index))
+        {
+          this->List.push_back(triangle);
+          if (firstIsEnough)
+          {
+            break;
+          }
+        }
+      }
+      if (this->List.size() > end && !this->Split(first + child, level + 1, index, end))
+      {
+        return false;
+      }
+      this->List.resize(end);
+    }
+    return true;
+  }
+
+  const std::vector<Triangle>& Triangles;
+  const RootFrame& Frame;
+  BlockTree& Tree;
+  std::vector<Vec3> Points;
+  std::vector<Index> List;
+};
+
+/// Split every block coarser than the wanted level that a box of one parent cell (two wanted cells)
+/// each way around the point touches. A union of such sets: the order of the points has no effect.
+bool SplitAtPoint(const Vec3& local, int level, const RootFrame& frame, const BlockIndex& roots,
+  BlockTree& tree)
+{
+  const double radius = frame.BlockSize(level);
+  for (int l = 0; l < level; ++l)
+  {
+    const double size = frame.BlockSize(l);
+    int low[3];
+    int high[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      const double count = static_cast<double>(roots[k] << l);
+      low[k] = static_cast<int>(std::clamp(std::floor((local[k] - radius) / size), 0.0, count));
+      high[k] =
+        static_cast<int>(std::clamp(std::floor((local[k] + radius) / size), -1.0, count - 1));
+    }
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+      for (int y = low[1]; y <= high[1]; ++y)
+      {
+        for (int x = low[0]; x <= high[0]; ++x)
+        {
+          const std::int32_t node = tree.Ensure(l, { x, y, z });
+          if (node < 0 || tree.Split(node, l, { x, y, z }) < 0)
+          {
+            return false;
+          }
+        }
+      }
+    }
+  }
+  return true;
+}
+}
+
+OctreePrediction PredictOctree(const SurfaceMesh& surface,
+  const std::vector<RefinementPoint>& points, const OctreeOptions& options)
+{
+  if (!CheckInput(surface, points, options).Ok())
+  {
+    return OctreePrediction();
+  }
+  return PredictInFrame(surface, points, options, MakeRootFrame(surface, options));
+}
+
+Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<RefinementPoint>& points,
+  const OctreeOptions& options, BlockOctree& octree, OctreePrediction* prediction,
+  Monitor& monitor)
+{
+  octree = BlockOctree();
+  Status status = CheckInput(surface, points, options);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  const RootFrame frame = MakeRootFrame(surface, options);
+  OctreePrediction predicted = PredictInFrame(surface, points, options, frame);
+  if (prediction)
+  {
+    *prediction = predicted;
+  }
+  int finest = frame.BaseLevel;
+  for (const RefinementPoint& point : points)
+  {
+    finest = std::max(finest, AbsoluteLevel(point, options));
+  }
+  const double longest = std::max({ frame.Count[0], frame.Count[1], frame.Count[2] });
+  if (!(8 * frame.Blocks() <= static_cast<double>(options.MaximumNumberOfCells)) ||
+    std::ldexp(longest, finest) > std::ldexp(1.0, MaximumBlockBits))
+  {
+    return CellLimitStatus(predicted, options);
+  }
+  const BlockIndex roots = { static_cast<int>(frame.Count[0]), static_cast<int>(frame.Count[1]),
+    static_cast<int>(frame.Count[2]) };
+
+  BlockTree tree(roots, options.MaximumNumberOfCells / 8);
+  bool complete = SurfaceSplitter(surface, frame, tree).Run(roots, monitor);
+  for (std::size_t n = 0; n < points.size() && complete; ++n)
+  {
+    complete = (n % 1024 != 0 || monitor.Update(0.8)) &&
+      SplitAtPoint(frame.ToLocal(points[n].Position), AbsoluteLevel(points[n], options), frame,
+        roots, tree);
+  }
+  complete = complete && tree.Balance(monitor);
+  if (!complete)
+  {
+    return tree.WithinLimit() ? monitor.StopStatus() : CellLimitStatus(predicted, options);
+  }
+
+  octree.Origin = frame.Origin;
+  octree.Axes = frame.Axes;
+  octree.BaseLevel = frame.BaseLevel;
+  octree.Depth = std::max(frame.BaseLevel, tree.Depth());
+  octree.FinestCellSize = std::ldexp(frame.Unit, frame.BaseLevel - octree.Depth);
+  octree.RootBlocks = roots;
+  octree.Leaves = tree.SortedLeaves(octree.Depth);
+  if (prediction)
+  {
+    prediction->Cells = 8 * tree.NumberOfLeaves();
+  }
+  return monitor.Update(1.0) ? Status() : monitor.StopStatus();
+}
+}
