@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceSizing.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace featurehex
+{
+namespace
+{
+/// A triangle is cut into at most the square of this many pieces.
+constexpr int MaximumSubdivision = 256;
+
+constexpr int MaximumShrinks = 12;
+constexpr int MaximumClimbs = 24;
+
+/// Relative accuracy of radii.
+constexpr double RadiusAccuracy = 1e-3;
+
+/// Ids of the entries that are the first with their key, ascending.
+template <typename Key>
+std::vector<std::size_t> FirstOfEachKey(const std::vector<Key>& keys)
+{
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return keys[a] < keys[b] || (keys[a] == keys[b] && a < b);
+  });
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    if (i == 0 || keys[order[i]] != keys[order[i - 1]])
+    {
+      first.push_back(order[i]);
+    }
+  }
+  std::sort(first.begin(), first.end());
+  return first;
+}
+
+/// 0..5: the axis and sign of the largest component.
+int MainDirection(const Vec3& v)
+{
+  int axis = 0;
+  v.cwiseAbs().maxCoeff(&axis);
+  return 2 * axis + (v[axis] < 0 ? 1 : 0);
+}
+
+/// Point of the convex hull of unit vectors that is nearest to the origin: the direction in which all
+/// distances grow at least with its length (a few Frank-Wolfe steps; the hull has at most a few corners).
+Vec3 SteepestAscent(const std::vector<Vec3>& gradients)
+{
+  Vec3 best = gradients.back();
+  for (int step = 0; step < 20; ++step)
+  {
+    const Vec3* lowest = &gradients[0];
+    for (const Vec3& g : gradients)
+    {
+      if (g.dot(best) < lowest->dot(best))
+      {
+        lowest = &g;
+      }
+    }
+    const Vec3 difference = best - *lowest;
+    const double gain = difference.dot(best);
+    if (gain < 1e-3)
+    {
+      break;
+    }
+    best -= std::min(1.0, gain / difference.squaredNorm()) * difference;
+  }
+  return best;
+}
+
+/// An empty ball: the surface doesn't come closer to Center than Radius.
+struct EmptyBall
+{
+  Vec3 Center;
+  double Radius;
+  Vec3 Contact;
+  Index Triangle;
+};
+
+EmptyBall BallAt(const TriangleSearch& search, const Vec3& center, Index hint)
+{
+  const TrianglePoint closest = search.Closest(center, hint);
+  return { center, closest.Distance, closest.Point, closest.Triangle };
+}
+
+/// Largest ball that touches the surface at @a p from the side of @a normal, at most @a radius.
+EmptyBall ShrinkBall(const TriangleSearch& search, const Vec3& p, const Vec3& normal,
+  Index triangle, double radius)
+{
+  EmptyBall ball = BallAt(search, p + radius * normal, triangle);
+  for (int step = 0; step < MaximumShrinks && ball.Radius < (1 - RadiusAccuracy) * radius; ++step)
+  {
+    const Vec3 chord = ball.Contact - p;
+    const double height = chord.dot(normal);
+    // The ball through p and the contact; shrinks at least a little when rounding spoils it.
+    const double touching = height > 0 ? chord.squaredNorm() / (2 * height) : 0.0;
+    radius = std::clamp(touching, 0.1 * radius, 0.95 * radius);
+    ball = BallAt(search, p + radius * normal, triangle);
+  }
+  return ball;
+}
+
+/// One sample, one side.
+class Climber
+{
+public:
+  Climber(const TriangleSearch& search, const Vec3& p, const ClearanceOptions& options)
+    : Search(search)
+    , Sample(p)
+    , Options(options)
+  {
+  }
+
+  /// Move the ball up the distance field until it has the wanted radius, stops growing or leaves
+  /// the sample. Returns the largest radius on the way.
+  double Climb(EmptyBall ball)
+  {
+    double best = this->NearSample(ball) ? ball.Radius : 0.0;
+    // Contacts of the last balls: where several are equally near, the distance has a crease.
+    std::vector<Vec3> contacts;
+    double step = this->FirstStep(ball);
+    for (int i = 0; i < MaximumClimbs && best < this->Wanted(); ++i)
+    {
+      contacts.push_back(ball.Contact);
+      const Vec3 ascent = this->Ascent(ball, contacts, step);
+      const double rate = ascent.norm();
+      if (rate < 0.1)
+      {
+        if (step < 0.02 * this->Options.MaximumRadius)
+        {
+          break;
+        }
+        step *= 0.5;
+        continue;
+      }
+      const EmptyBall next =
+        BallAt(this->Search, ball.Center + step / rate * ascent, ball.Triangle);
+      if (next.Radius > ball.Radius + 0.1 * rate * step && this->NearSample(next))
+      {
+        ball = next;
+        best = std::max(best, ball.Radius);
+        step = this->FirstStep(ball);
+      }
+      else
+      {
+        contacts.push_back(next.Contact);
+        step *= 0.5;
+        if (step < 0.01 * this->Options.MaximumRadius)
+        {
+          break;
+        }
+      }
+    }
+    return std::min(best, this->Options.MaximumRadius);
+  }
+
+  double Wanted() const { return (1 - RadiusAccuracy) * this->Options.MaximumRadius; }
+
+  bool NearSample(const EmptyBall& ball) const
+  {
+    const double slack = std::max(this->Options.Slack, this->Options.RelativeSlack * ball.Radius);
+    return (ball.Center - this->Sample).norm() - ball.Radius <= slack;
+  }
+
+private:
+  /// Within the ball, so that the path can't cross the surface.
+  double FirstStep(const EmptyBall& ball) const
+  {
+    return std::min(0.9 * ball.Radius, 1.01 * this->Options.MaximumRadius - ball.Radius);
+  }
+
+  /// Contacts that a step could make the nearest ones count.
+  Vec3 Ascent(const EmptyBall& ball, const std::vector<Vec3>& contacts, double step) const
+  {
+    std::vector<Vec3> gradients;
+    for (const Vec3& contact : contacts)
+    {
+      const Vec3 away = ball.Center - contact;
+      const double distance = away.norm();
+      if (distance > 0 && distance <= ball.Radius + step)
+      {
+        gradients.push_back(away / distance);
+      }
+    }
+    return gradients.empty() ? Vec3(Vec3::Zero()) : SteepestAscent(gradients);
+  }
+
+  const TriangleSearch& Search;
+  const Vec3& Sample;
+  const ClearanceOptions& Options;
+};
+
+/// The clearance that cells of @a level need: half the thickness or gap for that many cells.
+double WantedRadius(const SizingOptions& options, double cells, int level)
+{
+  return 0.5 * cells * options.TargetEdgeLength * std::ldexp(1.0, -level);
+}
+
+int NeededLevel(
+  const TriangleSearch& search, const SurfaceSample& sample, const SizingOptions& options)
+{
+  int level = 0;
+  for (SurfaceSide side : { SurfaceSide::Inside, SurfaceSide::Outside })
+  {
+    const double cells =
+      side == SurfaceSide::Inside ? options.CellsPerThickness : options.CellsPerGap;
+    ClearanceOptions clearance;
+    clearance.MaximumRadius = WantedRadius(options, cells, 0);
+    clearance.Slack = options.Slack;
+    clearance.RelativeSlack = options.RelativeSlack;
+    const double radius = ClearanceRadius(search, sample, side, clearance);
+    while (level < options.MaximumSizingLevel &&
+      radius < (1 - RadiusAccuracy) * WantedRadius(options, cells, level))
+    {
+      ++level;
+    }
+  }
+  return level;
+}
+}
+
+std::vector<SurfaceSample> SampleSurface(const SurfaceMesh& surface, double spacing)
+{
+  std::vector<SurfaceSample> samples;
+  std::vector<std::array<int, 4>> keys;
+  const Box box = BoundingBox(surface);
+  const auto add = [&](const Vec3& p, std::size_t triangle, int direction) {
+    const Vec3 local = (p - box.Low) / spacing;
+    samples.push_back({ p, static_cast<Index>(triangle) });
+    keys.push_back({ static_cast<int>(local[0]), static_cast<int>(local[1]),
+      static_cast<int>(local[2]), direction });
+  };
+  for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
+  {
+    const Vec3& a = surface.Points[surface.Triangles[t][0]];
+    const Vec3 u = surface.Points[surface.Triangles[t][1]] - a;
+    const Vec3 v = surface.Points[surface.Triangles[t][2]] - a;
+    const Vec3 normal = u.cross(v);
+    if (normal.isZero(0))
+    {
+      continue;
+    }
+    const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
+    const int n = std::clamp(
+      static_cast<int>(std::min(std::ceil(longest / spacing), 1e6)), 1, MaximumSubdivision);
+    const int direction = MainDirection(normal);
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; i + j < n; ++j)
+      {
+        add(a + (i + 1.0 / 3) / n * u + (j + 1.0 / 3) / n * v, t, direction);
+        if (i + j + 1 < n)
+        {
+          add(a + (i + 2.0 / 3) / n * u + (j + 2.0 / 3) / n * v, t, direction);
+        }
+      }
+    }
+  }
+  std::vector<SurfaceSample> result;
+  for (std::size_t i : FirstOfEachKey(keys))
+  {
+    result.push_back(samples[i]);
+  }
+  return result;
+}
+
+std::vector<RefinementPoint> ThinRefinementPoints(
+  const std::vector<RefinementPoint>& points, double baseSize)
+{
+  Box box;
+  for (const RefinementPoint& point : points)
+  {
+    box.Extend(point.Position);
+  }
+  std::vector<std::array<int, 4>> keys;
+  keys.reserve(points.size());
+  for (const RefinementPoint& point : points)
+  {
+    const Vec3 local = (point.Position - box.Low) * std::ldexp(1.0, point.Level) / baseSize;
+    keys.push_back({ point.Level, static_cast<int>(local[0]), static_cast<int>(local[1]),
+      static_cast<int>(local[2]) });
+  }
+  std::vector<RefinementPoint> result;
+  for (std::size_t i : FirstOfEachKey(keys))
+  {
+    result.push_back(points[i]);
+  }
+  return result;
+}
+
+double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
+  const ClearanceOptions& options)
+{
+  const Vec3& p = sample.Position;
+  const Vec3 normal =
+    search.Normal(sample.Triangle) * (side == SurfaceSide::Outside ? 1.0 : -1.0);
+  const EmptyBall ball = ShrinkBall(search, p, normal, sample.Triangle, options.MaximumRadius);
+  Climber climber(search, p, options);
+  return ball.Radius >= climber.Wanted() ? options.MaximumRadius : climber.Climb(ball);
+}
+
+std::vector<RefinementPoint> ComputeSizing(const SurfaceMesh& surface,
+  const TriangleSearch& search, const SizingOptions& options, Monitor& monitor)
+{
+  const std::vector<SurfaceSample> samples =
+    SampleSurface(surface, options.SampleSpacing * options.TargetEdgeLength);
+  std::vector<int> levels(samples.size(), 0);
+  // In parts, so that the monitor is asked now and then.
+  constexpr std::size_t part = 20000;
+  for (std::size_t first = 0; first < samples.size(); first += part)
+  {
+    if (!monitor.Update(static_cast<double>(first) / samples.size()))
+    {
+      return {};
+    }
+    ParallelFor(std::min(part, samples.size() - first), 64, [&](std::size_t i) {
+      levels[first + i] = NeededLevel(search, samples[first + i], options);
+    });
+  }
+  std::vector<RefinementPoint> points;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    if (levels[i] > 0)
+    {
+      points.push_back({ samples[i].Position, levels[i] });
+    }
+  }
+  return ThinRefinementPoints(points, options.TargetEdgeLength);
+}
+}
