@@ -17,6 +17,9 @@ namespace
 {
 using BlockIndex = std::array<int, 3>;
 
+/// Hexes of the dual for each octree cell: 1.14 to 1.31 on scans at 26 to 200 cells a side.
+constexpr double HexesPerCell = 1.25;
+
 std::string Number(double value)
 {
   char text[32];
@@ -201,14 +204,14 @@ OctreePrediction PredictInFrame(const SurfaceMesh& surface,
   }
   projected /= frame.Unit * frame.Unit;
   double leaves = frame.Blocks();
-  double shell = 1;
   for (int level = frame.BaseLevel - 1; level >= 0; --level)
   {
-    // Each coarser level is met by the surface and split once more by the balance around it.
+    // Balance splits a coarser block when the surface meets a box around it: 2, 2.5, 2.75 ...
+    // times its size (each level adds half a block to what the level below needs).
     const double size = frame.BlockSize(level);
-    shell = std::min(projected / (size * size) + (level < frame.BaseLevel - 1 ? 2.2 : 1.0) *
-            std::sqrt(projected) / size + 1, frame.Blocks() * std::pow(8.0, level));
-    leaves += 7 * shell;
+    const double reach = 3 - std::ldexp(2.0, level - (frame.BaseLevel - 1));
+    leaves += 7 *
+      std::min(reach * projected / (size * size) + 1, frame.Blocks() * std::pow(8.0, level));
   }
   for (const RefinementPoint& point : points)
   {
@@ -217,7 +220,7 @@ OctreePrediction PredictInFrame(const SurfaceMesh& surface,
   constexpr double limit = 9e18;
   OctreePrediction prediction;
   prediction.Cells = static_cast<std::int64_t>(std::min(limit, 8 * leaves));
-  prediction.Hexes = static_cast<std::int64_t>(std::min(limit, 1.25 * 8 * leaves));
+  prediction.Hexes = static_cast<std::int64_t>(std::min(limit, HexesPerCell * 8 * leaves));
   return prediction;
 }
 
@@ -613,6 +616,8 @@ Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<Refinement
   if (prediction)
   {
     prediction->Cells = 8 * tree.NumberOfLeaves();
+    prediction->Hexes =
+      static_cast<std::int64_t>(HexesPerCell * static_cast<double>(prediction->Cells));
   }
   return monitor.Update(1.0) ? Status() : monitor.StopStatus();
 }
