@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Picture of a hex mesh cut open, with visible cell edges, coloured by the scaled Jacobian."""
+import argparse
+
+import vtkmodules.vtkInteractionStyle  # noqa: F401  registers the factories of the renderer
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+
+# From violet (0) through red and yellow to green and blue (1): bad cells stand out.
+COLORS = [(0.40, 0.00, 0.40), (0.75, 0.05, 0.15), (0.90, 0.40, 0.10), (0.98, 0.80, 0.25),
+          (0.75, 0.88, 0.45), (0.40, 0.76, 0.60), (0.25, 0.60, 0.80), (0.20, 0.40, 0.75)]
+
+
+def color_table(low, high):
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetRange(low, high)
+    for i in range(256):
+        at = i / 255 * (len(COLORS) - 1)
+        k = min(int(at), len(COLORS) - 2)
+        rgb = [a + (at - k) * (b - a) for a, b in zip(COLORS[k], COLORS[k + 1])]
+        table.SetTableValue(i, *rgb, 1)
+    table.Build()
+    return table
+
+
+def with_quality(mesh):
+    if mesh.GetCellData().HasArray("ScaledJacobian"):
+        return mesh
+    quality = vtkMeshQuality()
+    quality.SetInputData(mesh)
+    quality.SetHexQualityMeasureToScaledJacobian()
+    quality.Update()
+    result = quality.GetOutput()
+    result.GetCellData().GetArray("Quality").SetName("ScaledJacobian")
+    return result
+
+
+def cut_open(mesh, axis, position):
+    """The whole cells on the far side of a plane; position is a fraction of the box."""
+    bounds = mesh.GetBounds()
+    plane = bounds[2 * axis] + position * (bounds[2 * axis + 1] - bounds[2 * axis])
+    kept = vtkIdList()
+    box = [0.0] * 6
+    for cell in range(mesh.GetNumberOfCells()):
+        mesh.GetCellBounds(cell, box)
+        if 0.5 * (box[2 * axis] + box[2 * axis + 1]) <= plane:
+            kept.InsertNextId(cell)
+    extract = vtkExtractCells()
+    extract.SetInputData(mesh)
+    extract.SetCellList(kept)
+    extract.Update()
+    return extract.GetOutput()
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("mesh", help="hex mesh, .vtu")
+    parser.add_argument("picture", help="result, .png")
+    parser.add_argument("--size", type=int, default=900, help="width and height in pixels")
+    parser.add_argument("--axis", type=int, default=1, choices=(0, 1, 2), help="normal of the cut")
+    parser.add_argument("--position", type=float, default=0.5,
+                        help="of the cut, as a fraction of the box; 1: not cut")
+    parser.add_argument("--up", type=int, default=2, choices=(0, 1, 2), help="axis that points up")
+    options = parser.parse_args()
+    if options.up == options.axis:
+        parser.error("--up must not be the axis of the cut")
+
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(options.mesh)
+    reader.Update()
+    mesh = reader.GetOutput()
+    if mesh.GetNumberOfCells() == 0:
+        raise RuntimeError(f"{options.mesh}: no cells")
+    mesh = with_quality(mesh)
+    bounds = mesh.GetBounds()
+    part = cut_open(mesh, options.axis, options.position)
+
+    # The producer is kept alive by this name: a pipeline of temporaries crashes.
+    producer = vtkTrivialProducer()
+    producer.SetOutput(part)
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(producer.GetOutputPort())
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("ScaledJacobian")
+    mapper.SetLookupTable(color_table(0, 1))
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().EdgeVisibilityOn()
+    actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.15)
+    actor.GetProperty().SetAmbient(0.35)
+    actor.GetProperty().SetDiffuse(0.7)
+
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable())
+    bar.SetTitle("scaled\nJacobian")
+    bar.SetNumberOfLabels(6)
+    bar.SetLabelFormat("%.1f")
+    bar.SetPosition(0.87, 0.05)
+    bar.SetWidth(0.12)
+    bar.SetHeight(0.4)
+    bar.UnconstrainedFontSizeOn()
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetColor(0, 0, 0)
+        text.SetFontSize(max(8, options.size // 55))
+        text.BoldOff()
+        text.ShadowOff()
+        text.ItalicOff()
+
+    renderer = vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    renderer.AddActor(actor)
+    renderer.AddViewProp(bar)
+    window = vtkRenderWindow()
+    window.OffScreenRenderingOn()
+    window.SetMultiSamples(8)
+    window.SetSize(options.size, options.size)
+    window.AddRenderer(renderer)
+
+    # Onto the cut, a little from the side and from above.
+    center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
+    side = 3 - options.axis - options.up
+    direction = [0.0, 0.0, 0.0]
+    direction[options.axis] = 1.0
+    direction[side] = 0.45
+    direction[options.up] = 0.3
+    up = [0.0, 0.0, 0.0]
+    up[options.up] = 1.0
+    camera = renderer.GetActiveCamera()
+    camera.SetFocalPoint(center)
+    camera.SetPosition([c + d for c, d in zip(center, direction)])
+    camera.SetViewUp(up)
+    renderer.ResetCamera()
+    camera.Zoom(1.2)
+    # Room for the colours on the right.
+    camera.SetWindowCenter(0.12, 0)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+
+    capture = vtkWindowToImageFilter()
+    capture.SetInput(window)
+    capture.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(capture.GetOutputPort())
+    writer.SetFileName(options.picture)
+    writer.Write()
+
+
+main()
