@@ -2,6 +2,7 @@
 #include "HexDomain.h"
 
 #include "DomainRefinement.h"
+#include "IslandRepair.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr double NearDistance = 2.1;
 
 /// Cells whose centre is farther than this from the surface are never lonely: their label is no accident.
 constexpr double LonelyDistance = 0.25;
+
+constexpr int MaximumRepairPasses = 4;
 
 struct Cells
 {
@@ -220,6 +223,27 @@ void NumberRegions(const HexGraph& graph, const std::vector<char>& inside, HexDo
   }
 }
 
+/// Manifold interface and no islands; each may disturb the other, so a few times.
+RepairResult RepairLabels(const HexGraph& graph, const HexDistances& distances,
+  const DomainOptions& options, std::vector<char>& inside, HexDomain& domain)
+{
+  RepairResult repair;
+  for (int pass = 0; pass < MaximumRepairPasses; ++pass)
+  {
+    repair = RepairInterface(graph, distances.Signed, options.MaximumFlips, inside);
+    domain.RepairFlips += repair.Flips;
+    const Index flips = pass + 1 < MaximumRepairPasses
+      ? RepairIslands(graph, distances, domain.SurfaceShells, inside)
+      : 0;
+    domain.IslandFlips += flips;
+    if (flips == 0)
+    {
+      break;
+    }
+  }
+  return repair;
+}
+
 Status CheckRepair(const HexMesh& mesh, const RepairResult& repair)
 {
   if (repair.NonManifoldVertices.empty())
@@ -256,10 +280,10 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   {
     return monitor.StopStatus();
   }
-  const std::vector<double> distances =
-    SignedDistances(graph, cells, winding, domain.WindingNumbers);
-  std::vector<char> inside = LabelHexes(cells, search, distances, options);
-  domain.LonelyFlips = FlipLonely(graph, distances, inside);
+  const HexDistances distances = { SignedDistances(graph, cells, winding, domain.WindingNumbers),
+    cells.Triangles };
+  std::vector<char> inside = LabelHexes(cells, search, distances.Signed, options);
+  domain.LonelyFlips = FlipLonely(graph, distances.Signed, inside);
   if (Status status = CheckBorder(graph, cells, inside); !status.Ok())
   {
     return status;
@@ -268,8 +292,8 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   {
     return monitor.StopStatus();
   }
-  const RepairResult repair = RepairInterface(graph, distances, options.MaximumFlips, inside);
-  domain.RepairFlips = repair.Flips;
+  domain.SurfaceShells = FindShells(surface.Points, surface.Triangles);
+  const RepairResult repair = RepairLabels(graph, distances, options, inside, domain);
   NumberRegions(graph, inside, domain);
   domain.Interface = InterfaceQuads(mesh, graph.Neighbors, domain.Region);
   if (Status status = CheckRepair(mesh, repair); !status.Ok())
@@ -282,7 +306,6 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   {
     quads.push_back(quad.Vertices);
   }
-  domain.SurfaceShells = FindShells(surface.Points, surface.Triangles);
   domain.InterfaceShells = FindShells(mesh.Points, quads);
   domain.Topology =
     CompareShells(domain.SurfaceShells, search, domain.InterfaceShells, mesh.Points, quads);
