@@ -1,0 +1,495 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "CertifiedDistance.h"
+
+#include "DistancePieces.h"
+#include "Parallel.h"
+
+#include <cmath>
+#include <functional>
+
+namespace featurehex
+{
+namespace
+{
+/// Rounding of coordinates and distances, fraction of the surface's diagonal.
+constexpr double Rounding = 1e-12;
+
+/// Bounds of the value end up this close, fraction of the tolerance.
+constexpr double ValueGap = 0.01;
+
+/// Error of the triangles that stand for patches, fractions of the tolerance.
+constexpr double DecisionSplitError = 0.01;
+constexpr double ValueSplitError = 0.0025;
+
+/// More triangles than this are not made of the patches; their error grows instead.
+constexpr double MaximumTargetTriangles = 1.5e6;
+
+/// Pieces of all elements together; a measure of the longest possible time (about 2 us each).
+constexpr std::int64_t TotalBudget = 60000000;
+
+/// Large triangles are cut until there are about so many elements, for parallelism and for the mean.
+constexpr double LeastElements = 20000;
+
+/// Elements of one side with what is known about them.
+struct Elements
+{
+  std::vector<Vec3> Points;
+  std::vector<TrianglePoint> Nearest;      ///< of Points in the target
+  std::vector<std::array<Index, 4>> Corner; ///< of each element, in Points; triangles end with -1
+  std::vector<Index> Owner;                ///< quad or triangle of the caller
+  std::vector<double> Area;
+  std::vector<double> MeanDistance;
+  std::vector<ElementDistance> Result;
+
+  std::size_t Size() const { return this->Corner.size(); }
+  int Count(std::size_t e) const { return this->Corner[e][3] < 0 ? 3 : 4; }
+};
+
+/// body(begin, end) over blocks of at most @a block items, in some 20 batches so that the monitor is
+/// asked in between. False: stopped.
+bool ParallelBlocks(std::size_t count, std::size_t block, double from, double to, Monitor& monitor,
+  const std::function<void(std::size_t, std::size_t)>& body)
+{
+  const std::size_t blocks = (count + block - 1) / block;
+  const std::size_t batch = std::max<std::size_t>(8, (blocks + 19) / 20);
+  for (std::size_t b = 0; b < blocks; b += batch)
+  {
+    if (!monitor.Update(from + (to - from) * static_cast<double>(b) / static_cast<double>(blocks)))
+    {
+      return false;
+    }
+    ParallelFor(std::min(batch, blocks - b), 1, [&](std::size_t i) {
+      body((b + i) * block, std::min(count, (b + i + 1) * block));
+    });
+  }
+  return monitor.Update(to);
+}
+
+Vec3 Bilinear(const Vec3* c, double u, double v)
+{
+  return (1 - v) * ((1 - u) * c[0] + u * c[1]) + v * ((1 - u) * c[3] + u * c[2]);
+}
+
+/// Quads with the points they use, recentred; false when a point is not finite.
+bool QuadElements(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
+  const Vec3& center, Elements& elements)
+{
+  std::vector<Index> local(points.size(), -1);
+  for (std::size_t q = 0; q < quads.size(); ++q)
+  {
+    Quad corners;
+    for (int k = 0; k < 4; ++k)
+    {
+      const Index v = quads[q][k];
+      if (local[v] < 0)
+      {
+        local[v] = static_cast<Index>(elements.Points.size());
+        elements.Points.push_back(points[v] - center);
+        if (!elements.Points.back().allFinite())
+        {
+          return false;
+        }
+      }
+      corners[k] = local[v];
+    }
+    const std::vector<Vec3>& p = elements.Points;
+    elements.Corner.push_back(corners);
+    elements.Owner.push_back(static_cast<Index>(q));
+    elements.Area.push_back(
+      0.5 * (p[corners[2]] - p[corners[0]]).cross(p[corners[3]] - p[corners[1]]).norm());
+  }
+  return true;
+}
+
+/// The surface's triangles, large ones as n x n.
+Elements TriangleElements(const TriangleSearch& search)
+{
+  Elements elements;
+  elements.Points = search.Points();
+  const std::vector<Triangle>& triangles = search.Triangles();
+  const auto area = [&](const Triangle& t) {
+    const Vec3& a = search.Points()[t[0]];
+    return 0.5 * (search.Points()[t[1]] - a).cross(search.Points()[t[2]] - a).norm();
+  };
+  double total = 0.0;
+  for (const Triangle& t : triangles)
+  {
+    total += area(t);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    const Triangle& t = triangles[i];
+    const double whole = area(t);
+    const double share = total > 0.0 ? whole / total * LeastElements : 0.0;
+    const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(share)), 1.0, 150.0));
+    const auto add = [&](Index a, Index b, Index c) {
+      elements.Corner.push_back({ a, b, c, -1 });
+      elements.Owner.push_back(static_cast<Index>(i));
+      elements.Area.push_back(whole / (static_cast<double>(n) * n));
+    };
+    if (n == 1)
+    {
+      add(t[0], t[1], t[2]);
+      continue;
+    }
+    // Rows of points parallel to the edge 1-2; row r has r + 1 points and starts at r (r + 1) / 2.
+    const auto first = static_cast<Index>(elements.Points.size());
+    const Vec3 a = elements.Points[t[0]], b = elements.Points[t[1]], c = elements.Points[t[2]];
+    for (int r = 0; r <= n; ++r)
+    {
+      for (int s = 0; s <= r; ++s)
+      {
+        elements.Points.push_back(a + (r - s) * ((b - a) / n) + s * ((c - a) / n));
+      }
+    }
+    for (int r = 0; r < n; ++r)
+    {
+      const Index row = first + r * (r + 1) / 2, next = row + r + 1;
+      for (int s = 0; s <= r; ++s)
+      {
+        add(row + s, next + s, next + s + 1);
+        if (s < r)
+        {
+          add(row + s, next + s + 1, row + s + 1);
+        }
+      }
+    }
+  }
+  return elements;
+}
+
+/// Nearest triangle of every point.
+bool SearchPoints(
+  const DistanceTarget& target, Elements& elements, double from, double to, Monitor& monitor)
+{
+  elements.Nearest.resize(elements.Points.size());
+  return ParallelBlocks(elements.Points.size(), 64, from, to, monitor,
+    [&](std::size_t begin, std::size_t end) {
+      Index hint = -1;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        elements.Nearest[i] = target.Search->Closest(elements.Points[i], hint);
+        hint = elements.Nearest[i].Triangle;
+      }
+    });
+}
+
+/// Samples inside the elements: mean distances, and good lower bounds from the start.
+bool SampleElements(
+  const DistanceTarget& target, Elements& elements, double from, double to, Monitor& monitor)
+{
+  elements.MeanDistance.resize(elements.Size());
+  return ParallelBlocks(
+    elements.Size(), 64, from, to, monitor, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e)
+      {
+        const std::array<Index, 4>& corner = elements.Corner[e];
+        Vec3 p[4] = {};
+        for (int k = 0; k < elements.Count(e); ++k)
+        {
+          p[k] = elements.Points[corner[k]];
+        }
+        const int n = elements.Count(e) == 3 ? 1 : 3;
+        double sum = 0.0;
+        for (int i = 0; i < n * n; ++i)
+        {
+          const Vec3 x = n == 1 ? Vec3((p[0] + p[1] + p[2]) / 3.0)
+                                : Bilinear(p, (i % n + 0.5) / n, (i / n + 0.5) / n);
+          const double d =
+            target.Search->Closest(x, elements.Nearest[corner[i % 3]].Triangle).Distance;
+          elements.Result[e].Found(x, d, target);
+          sum += d;
+        }
+        elements.MeanDistance[e] = sum / (n * n);
+      }
+    });
+}
+
+DistancePiece RootPiece(const Elements& elements, std::size_t e)
+{
+  DistancePiece piece;
+  piece.Count = elements.Count(e);
+  for (int k = 0; k < piece.Count; ++k)
+  {
+    const Index v = elements.Corner[e][k];
+    piece.Corner[k] = elements.Points[v];
+    piece.Near[k] = elements.Nearest[v].Triangle;
+    piece.Distance[k] = elements.Nearest[v].Distance;
+    piece.Exact[k] = true;
+  }
+  return piece;
+}
+
+/// Branch and bound for all elements. @a value: samples first, then bounds of the value; else the
+/// decision whether all are within goal.Accept.
+bool BoundElements(
+  const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
+{
+  elements.Result.assign(elements.Size(), {});
+  if (!SearchPoints(target, elements, 0.0, 0.2, monitor))
+  {
+    return false;
+  }
+  if (!goal.Decide)
+  {
+    if (!SampleElements(target, elements, 0.2, 0.4, monitor))
+    {
+      return false;
+    }
+    // The greatest distance found anywhere; elements must stay below it or find a greater one.
+    double lower = 0.0;
+    for (const ElementDistance& r : elements.Result)
+    {
+      lower = std::max(lower, r.Lower);
+    }
+    for (const TrianglePoint& q : elements.Nearest)
+    {
+      lower = std::max(lower, q.Distance - target.LargestSlack);
+    }
+    goal.Gap = std::max(goal.Gap, ValueGap * lower);
+    goal.Accept = lower + goal.Gap;
+  }
+  const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, elements.Size()));
+  goal.Budget = std::clamp<std::int64_t>(TotalBudget / count, 1000, 1000000);
+  return ParallelBlocks(
+    elements.Size(), 16, 0.4, 1.0, monitor, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t e = begin; e < end; ++e)
+      {
+        BoundElement(target, RootPiece(elements, e), goal, elements.Result[e]);
+      }
+    });
+}
+
+/// Elements that are not proven to be within @a tolerance: one point for each owner, the farthest.
+std::vector<DistanceWitness> CollectWitnesses(
+  const Elements& elements, double tolerance, bool unproven, const Vec3& center)
+{
+  std::vector<DistanceWitness> witnesses;
+  for (std::size_t e = 0; e < elements.Size(); ++e)
+  {
+    const ElementDistance& r = elements.Result[e];
+    if (r.Lower > tolerance || (unproven && r.Upper > tolerance))
+    {
+      const DistanceWitness w{ r.Where + center, r.Lower, elements.Owner[e] };
+      if (witnesses.empty() || witnesses.back().Element != w.Element)
+      {
+        witnesses.push_back(w);
+      }
+      else if (w.Distance > witnesses.back().Distance)
+      {
+        witnesses.back() = w;
+      }
+    }
+  }
+  return witnesses;
+}
+
+DirectedDistance Summarize(const Elements& elements, double gap, const Vec3& center)
+{
+  DirectedDistance d;
+  double area = 0.0, sum = 0.0;
+  d.Upper = 0.0;
+  for (std::size_t e = 0; e < elements.Size(); ++e)
+  {
+    const ElementDistance& r = elements.Result[e];
+    d.Upper = std::max(d.Upper, r.Upper);
+    if (r.Lower > d.Lower)
+    {
+      d.Lower = r.Lower;
+      d.Where = r.Where + center;
+    }
+    d.Pieces += r.Pieces;
+    area += elements.Area[e];
+    sum += elements.Area[e] * elements.MeanDistance[e];
+  }
+  d.Mean = area > 0.0 ? sum / area : 0.0;
+  d.Converged = d.Upper <= d.Lower + std::max(gap, ValueGap * d.Lower);
+  return d;
+}
+
+/// Triangles that stand for the quads in searches.
+struct QuadTarget
+{
+  TriangleSearch Search;
+  DistanceTarget Target;
+};
+
+double Twist(const Elements& quads, std::size_t q)
+{
+  const std::array<Index, 4>& c = quads.Corner[q];
+  return (quads.Points[c[0]] - quads.Points[c[1]] + quads.Points[c[2]] - quads.Points[c[3]]).norm();
+}
+
+/// A patch is an affine map plus u v times its twist. In n x m cells with four triangles around each
+/// cell's middle the error is |twist| / (16 n m).
+void SplitCounts(double twist, double error, int& n, int& m)
+{
+  const double cells = std::max(1.0, twist / (16.0 * error));
+  n = static_cast<int>(std::clamp(std::ceil(std::sqrt(cells)), 1.0, 64.0));
+  m = static_cast<int>(std::clamp(std::ceil(cells / n), 1.0, 64.0));
+}
+
+void BuildTarget(const Elements& quads, double error, QuadTarget& result)
+{
+  for (double triangles = 1e300; triangles > MaximumTargetTriangles; error *= 2.0)
+  {
+    triangles = 0.0;
+    for (std::size_t q = 0; q < quads.Size(); ++q)
+    {
+      int n = 1, m = 1;
+      SplitCounts(Twist(quads, q), error, n, m);
+      triangles += 4.0 * (n * m - 1);
+    }
+    if (triangles <= MaximumTargetTriangles)
+    {
+      break;
+    }
+  }
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::vector<double>& slack = result.Target.Slack;
+  for (std::size_t q = 0; q < quads.Size(); ++q)
+  {
+    int n = 1, m = 1;
+    const double twist = Twist(quads, q);
+    SplitCounts(twist, error, n, m);
+    const std::array<Index, 4>& corner = quads.Corner[q];
+    Vec3 p[4];
+    for (int k = 0; k < 4; ++k)
+    {
+      p[k] = quads.Points[corner[k]];
+    }
+    const auto base = static_cast<Index>(points.size());
+    for (int j = 0; j <= m; ++j)
+    {
+      for (int i = 0; i <= n; ++i)
+      {
+        points.push_back(Bilinear(p, static_cast<double>(i) / n, static_cast<double>(j) / m));
+      }
+    }
+    const auto at = [&](int i, int j) { return base + j * (n + 1) + i; };
+    for (int j = 0; j < m; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        const auto middle = static_cast<Index>(points.size());
+        points.push_back(Bilinear(p, (i + 0.5) / n, (j + 0.5) / m));
+        const Index ring[4] = { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
+        for (int k = 0; k < 4; ++k)
+        {
+          triangles.push_back({ ring[k], ring[(k + 1) % 4], middle });
+          slack.push_back(twist / (16.0 * n * m));
+        }
+      }
+    }
+    result.Target.LargestSlack = std::max(result.Target.LargestSlack, slack.back());
+  }
+  result.Search = TriangleSearch(std::move(points), std::move(triangles));
+  result.Target.Search = &result.Search;
+}
+
+std::vector<Vec3> Recentred(const SurfaceMesh& surface, const Vec3& center)
+{
+  std::vector<Vec3> points = surface.Points;
+  for (Vec3& p : points)
+  {
+    p -= center;
+  }
+  return points;
+}
+}
+
+CertifiedDistance::CertifiedDistance(const SurfaceMesh& surface)
+{
+  const Box box = BoundingBox(surface);
+  if (!box.Empty())
+  {
+    this->Center = box.Center();
+    this->SurfaceDiagonal = box.Diagonal();
+    this->Search = TriangleSearch(Recentred(surface, this->Center), surface.Triangles);
+  }
+}
+
+DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& points,
+  const std::vector<Quad>& quads, double tolerance, Monitor& monitor) const
+{
+  DistanceDecision decision;
+  Elements patches;
+  if (quads.empty() || this->Search.Triangles().empty() ||
+    !QuadElements(points, quads, this->Center, patches))
+  {
+    return decision;
+  }
+  DistanceGoal goal;
+  goal.Decide = true;
+  goal.Accept = tolerance - Rounding * this->SurfaceDiagonal;
+  goal.Flat = DecisionSplitError * tolerance;
+  goal.Tiny = 0.001 * tolerance;
+
+  DistanceTarget surface;
+  surface.Search = &this->Search;
+  if (!BoundElements(surface, patches, goal, monitor))
+  {
+    return decision;
+  }
+  decision.Quads = CollectWitnesses(patches, goal.Accept, true, this->Center);
+
+  QuadTarget mesh;
+  BuildTarget(patches, DecisionSplitError * tolerance, mesh);
+  Elements triangles = TriangleElements(this->Search);
+  if (!BoundElements(mesh.Target, triangles, goal, monitor))
+  {
+    return decision;
+  }
+  decision.Triangles = CollectWitnesses(triangles, goal.Accept, true, this->Center);
+  decision.Within = decision.Quads.empty() && decision.Triangles.empty();
+  return decision;
+}
+
+DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
+  const std::vector<Quad>& quads, double tolerance, Monitor& monitor) const
+{
+  DistanceBounds bounds;
+  Elements patches;
+  bounds.Deviation.assign(quads.size(), 1e300);
+  if (quads.empty() || this->Search.Triangles().empty() ||
+    !QuadElements(points, quads, this->Center, patches))
+  {
+    return bounds;
+  }
+  const double rounding = Rounding * this->SurfaceDiagonal;
+  DistanceGoal goal;
+  goal.Gap = std::max(ValueGap * tolerance, rounding);
+  goal.Flat = 0.1 * goal.Gap;
+  goal.Tiny = 0.02 * goal.Gap;
+
+  DistanceTarget surface;
+  surface.Search = &this->Search;
+  if (!BoundElements(surface, patches, goal, monitor))
+  {
+    return bounds;
+  }
+  bounds.MeshToSurface = Summarize(patches, goal.Gap, this->Center);
+  bounds.MeshToSurface.Upper += rounding;
+  bounds.MeshToSurface.Witnesses = CollectWitnesses(patches, tolerance, false, this->Center);
+  for (std::size_t q = 0; q < quads.size(); ++q)
+  {
+    bounds.Deviation[q] = patches.Result[q].Upper + rounding;
+  }
+
+  QuadTarget mesh;
+  BuildTarget(patches, ValueSplitError * tolerance, mesh);
+  bounds.SplitError = mesh.Target.LargestSlack;
+  goal.Gap = std::max(goal.Gap, 0.5 * goal.Gap + 2.0 * bounds.SplitError);
+  Elements triangles = TriangleElements(this->Search);
+  if (!BoundElements(mesh.Target, triangles, goal, monitor))
+  {
+    return bounds;
+  }
+  bounds.SurfaceToMesh = Summarize(triangles, goal.Gap, this->Center);
+  bounds.SurfaceToMesh.Upper += rounding;
+  bounds.SurfaceToMesh.Witnesses = CollectWitnesses(triangles, tolerance, false, this->Center);
+  return bounds;
+}
+}
