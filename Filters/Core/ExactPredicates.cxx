@@ -20,10 +20,7 @@ struct Expansion
       this->Terms[this->Size++] = term;
     }
   }
-  int Sign() const
-  {
-    return this->Size == 0 ? 0 : (this->Terms[this->Size - 1] > 0.0 ? 1 : -1);
-  }
+  int Sign() const { return this->Size == 0 ? 0 : (this->Terms[this->Size - 1] > 0.0 ? 1 : -1); }
 };
 
 /// sum + error == a + b exactly (Knuth).
@@ -117,7 +114,7 @@ Expansion<4 * M> Product(const Expansion<M>& e, const Expansion<2>& f)
   }
   return result;
 }
-}
+} // namespace
 
 std::vector<Vec3> PointsForPredicates(const std::vector<Vec3>& points)
 {
@@ -176,4 +173,4 @@ int Orient2DExact(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
   const auto right = Product(Difference(b[j], a[j]), Difference(c[i], a[i]));
   return Sum(left, right, -1.0).Sign();
 }
-}
+} // namespace featurehex

@@ -41,7 +41,8 @@ inline int Orient3D(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   const double yz = uy * vz, zy = uz * vy, zx = uz * vx, xz = ux * vz, xy = ux * vy, yx = uy * vx;
   const double determinant = wx * (yz - zy) + wy * (zx - xz) + wz * (xy - yx);
   const double permanent = std::abs(wx) * (std::abs(yz) + std::abs(zy)) +
-    std::abs(wy) * (std::abs(zx) + std::abs(xz)) + std::abs(wz) * (std::abs(xy) + std::abs(yx));
+                           std::abs(wy) * (std::abs(zx) + std::abs(xz)) +
+                           std::abs(wz) * (std::abs(xy) + std::abs(yx));
   // Shewchuk's first bound is (7 + 56 e) e with e = 2^-53; 8 e is above it.
   const double bound = 8.8817841970012523e-16 * permanent;
   if (determinant > bound)
@@ -80,8 +81,8 @@ inline int Orient2D(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
 inline bool Collinear(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   return Orient2D(a, b, c, 0, 1) == 0 && Orient2D(a, b, c, 1, 2) == 0 &&
-    Orient2D(a, b, c, 2, 0) == 0;
+         Orient2D(a, b, c, 2, 0) == 0;
 }
-}
+} // namespace featurehex
 
 #endif

@@ -11,8 +11,7 @@ namespace featurehex
 namespace
 {
 /// Closed segments p q and r s meet in the projection to coordinates i and j.
-bool SegmentsMeet2D(
-  const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, int i, int j)
+bool SegmentsMeet2D(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, int i, int j)
 {
   const int pqr = Orient2D(p, q, r, i, j);
   const int pqs = Orient2D(p, q, s, i, j);
@@ -31,7 +30,8 @@ bool SegmentsMeet2D(
     // On one line: compare the intervals.
     for (int k : { i, j })
     {
-      if (std::max(p[k], q[k]) < std::min(r[k], s[k]) || std::max(r[k], s[k]) < std::min(p[k], q[k]))
+      if (std::max(p[k], q[k]) < std::min(r[k], s[k]) ||
+          std::max(r[k], s[k]) < std::min(p[k], q[k]))
       {
         return false;
       }
@@ -45,7 +45,7 @@ bool SegmentsMeet2D(
 bool SegmentsMeet3D(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
 {
   return Orient3D(p, q, r, s) == 0 && SegmentsMeet2D(p, q, r, s, 0, 1) &&
-    SegmentsMeet2D(p, q, r, s, 1, 2) && SegmentsMeet2D(p, q, r, s, 2, 0);
+         SegmentsMeet2D(p, q, r, s, 1, 2) && SegmentsMeet2D(p, q, r, s, 2, 0);
 }
 
 struct Corners
@@ -78,13 +78,13 @@ bool CoplanarSegmentMeetsTriangle(const Vec3& p, const Vec3& q, const Corners& t
   if (!ProjectionWithArea(t, i, j, sign))
   {
     return SegmentsMeet3D(p, q, t.A, t.B) || SegmentsMeet3D(p, q, t.B, t.C) ||
-      SegmentsMeet3D(p, q, t.C, t.A);
+           SegmentsMeet3D(p, q, t.C, t.A);
   }
   const int ab = sign * Orient2D(t.A, t.B, p, i, j);
   const int bc = sign * Orient2D(t.B, t.C, p, i, j);
   const int ca = sign * Orient2D(t.C, t.A, p, i, j);
   return (ab >= 0 && bc >= 0 && ca >= 0) || SegmentsMeet2D(p, q, t.A, t.B, i, j) ||
-    SegmentsMeet2D(p, q, t.B, t.C, i, j) || SegmentsMeet2D(p, q, t.C, t.A, i, j);
+         SegmentsMeet2D(p, q, t.B, t.C, i, j) || SegmentsMeet2D(p, q, t.C, t.A, i, j);
 }
 
 /// Closed segment and closed triangle meet. @a sideP, @a sideQ: sides of the plane of @a t.
@@ -110,12 +110,11 @@ bool SegmentMeetsTriangle(const Vec3& p, const Vec3& q, int sideP, int sideQ, co
 
 bool SegmentMeetsTriangle(const Vec3& p, const Vec3& q, const Corners& t)
 {
-  return SegmentMeetsTriangle(
-    p, q, Orient3D(t.A, t.B, t.C, p), Orient3D(t.A, t.B, t.C, q), t);
+  return SegmentMeetsTriangle(p, q, Orient3D(t.A, t.B, t.C, p), Orient3D(t.A, t.B, t.C, q), t);
 }
 
-/// No shared vertex. The ends of a common segment, and every component of a coplanar overlap, lie on
-/// an edge of one of the two: six segment tests decide.
+/// No shared vertex. The ends of a common segment, and every component of a coplanar overlap, lie
+/// on an edge of one of the two: six segment tests decide.
 bool SeparateTrianglesMeet(const Corners& s, const Corners& t)
 {
   const int sA = Orient3D(t.A, t.B, t.C, s.A);
@@ -133,8 +132,8 @@ bool SeparateTrianglesMeet(const Corners& s, const Corners& t)
     return false;
   }
   return SegmentMeetsTriangle(s.A, s.B, sA, sB, t) || SegmentMeetsTriangle(s.B, s.C, sB, sC, t) ||
-    SegmentMeetsTriangle(s.C, s.A, sC, sA, t) || SegmentMeetsTriangle(t.A, t.B, tA, tB, s) ||
-    SegmentMeetsTriangle(t.B, t.C, tB, tC, s) || SegmentMeetsTriangle(t.C, t.A, tC, tA, s);
+         SegmentMeetsTriangle(s.C, s.A, sC, sA, t) || SegmentMeetsTriangle(t.A, t.B, tA, tB, s) ||
+         SegmentMeetsTriangle(t.B, t.C, tB, tC, s) || SegmentMeetsTriangle(t.C, t.A, tC, tA, s);
 }
 
 /// Both contain the edge of A and B; C is the other corner of each.
@@ -166,15 +165,17 @@ bool TrianglesMeet(const std::vector<Vec3>& points, const Triangle& s, const Tri
   }
   if (shared == 0)
   {
-    return SeparateTrianglesMeet({ points[s[0]], points[s[1]], points[s[2]] },
-      { points[t[0]], points[t[1]], points[t[2]] });
+    return SeparateTrianglesMeet(
+      { points[s[0]], points[s[1]], points[s[2]] }, { points[t[0]], points[t[1]], points[t[2]] });
   }
   if (shared == 1)
   {
     // The common part is convex and contains the shared vertex V. Going from V to another common
     // point and on, one leaves the first of the two triangles through its edge opposite to V.
-    const Corners cs = { points[s[inS[0]]], points[s[(inS[0] + 1) % 3]], points[s[(inS[0] + 2) % 3]] };
-    const Corners ct = { points[t[inT[0]]], points[t[(inT[0] + 1) % 3]], points[t[(inT[0] + 2) % 3]] };
+    const Corners cs = { points[s[inS[0]]], points[s[(inS[0] + 1) % 3]],
+      points[s[(inS[0] + 2) % 3]] };
+    const Corners ct = { points[t[inT[0]]], points[t[(inT[0] + 1) % 3]],
+      points[t[(inT[0] + 2) % 3]] };
     return SegmentMeetsTriangle(cs.B, cs.C, ct) || SegmentMeetsTriangle(ct.B, ct.C, cs);
   }
   if (shared == 2)
@@ -189,7 +190,7 @@ bool TrianglesMeet(const std::vector<Vec3>& points, const Triangle& s, const Tri
 bool BoxesMeet(const Box& a, const Box& b)
 {
   return a.Low[0] <= b.High[0] && b.Low[0] <= a.High[0] && a.Low[1] <= b.High[1] &&
-    b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+         b.Low[1] <= a.High[1] && a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
 }
 
 Box TriangleBox(const std::vector<Vec3>& points, const Triangle& t)
@@ -344,7 +345,7 @@ private:
   std::size_t Leaves = 0;
   std::size_t FirstLeaf = 0;
 };
-}
+} // namespace
 
 std::vector<TrianglePair> FindSelfIntersections(const std::vector<Vec3>& points,
   const std::vector<Triangle>& triangles, std::size_t limit, Monitor* monitor)
@@ -359,23 +360,28 @@ std::vector<TrianglePair> FindSelfIntersections(const std::vector<Vec3>& points,
   // Fixed chunks, so that stopping at the limit doesn't depend on the threads.
   constexpr std::size_t chunk = 2048;
   std::vector<std::vector<TrianglePair>> found(chunk);
-  for (std::size_t begin = 0; begin < tree.NumberOfLeaves() && result.size() < limit; begin += chunk)
+  for (std::size_t begin = 0; begin < tree.NumberOfLeaves() && result.size() < limit;
+       begin += chunk)
   {
     if (monitor && !monitor->Update(static_cast<double>(begin) / tree.NumberOfLeaves()))
     {
       break;
     }
     const std::size_t count = std::min(chunk, tree.NumberOfLeaves() - begin);
-    ParallelFor(count, 64, [&](std::size_t k) {
-      found[k].clear();
-      tree.VisitPairs(begin + k, [&](Index a, Index b) {
-        if (TrianglesMeet(scaled, triangles[a], triangles[b]))
-        {
-          found[k].push_back({ std::min(a, b), std::max(a, b) });
-        }
-        return found[k].size() < limit;
+    ParallelFor(count, 64,
+      [&](std::size_t k)
+      {
+        found[k].clear();
+        tree.VisitPairs(begin + k,
+          [&](Index a, Index b)
+          {
+            if (TrianglesMeet(scaled, triangles[a], triangles[b]))
+            {
+              found[k].push_back({ std::min(a, b), std::max(a, b) });
+            }
+            return found[k].size() < limit;
+          });
       });
-    });
     for (std::size_t k = 0; k < count; ++k)
     {
       result.insert(result.end(), found[k].begin(), found[k].end());
@@ -389,11 +395,11 @@ std::vector<TrianglePair> FindSelfIntersections(const std::vector<Vec3>& points,
   return result;
 }
 
-Vec3 IntersectionPlace(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-  const TrianglePair& pair)
+Vec3 IntersectionPlace(
+  const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const TrianglePair& pair)
 {
   const Box first = TriangleBox(points, triangles[pair.First]);
   const Box second = TriangleBox(points, triangles[pair.Second]);
   return 0.5 * first.Low.cwiseMax(second.Low) + 0.5 * first.High.cwiseMin(second.High);
 }
-}
+} // namespace featurehex

@@ -48,6 +48,6 @@ std::vector<TrianglePair> FindSelfIntersections(const std::vector<Vec3>& points,
 /// A place to show for a pair: the middle of the overlap of the two bounding boxes.
 Vec3 IntersectionPlace(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
   const TrianglePair& pair);
-}
+} // namespace featurehex
 
 #endif

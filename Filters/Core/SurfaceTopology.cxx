@@ -21,9 +21,9 @@ EdgeTable::EdgeTable(const std::vector<Triangle>& triangles)
         static_cast<std::uint32_t>(side) };
     }
   }
-  std::sort(this->Sides.begin(), this->Sides.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return a.Edge != b.Edge ? a.Edge < b.Edge : a.Side < b.Side;
-  });
+  std::sort(this->Sides.begin(), this->Sides.end(),
+    [](const EdgeUse& a, const EdgeUse& b)
+    { return a.Edge != b.Edge ? a.Edge < b.Edge : a.Side < b.Side; });
 }
 
 std::size_t EdgeTable::NumberOfFaces(Index u, Index v) const
@@ -55,13 +55,15 @@ std::vector<Index> FirstDuplicates(const std::vector<Triangle>& triangles)
 std::vector<Index> OppositeSides(const EdgeTable& edges)
 {
   std::vector<Index> opposite(edges.Uses().size(), -1);
-  edges.VisitEdges([&opposite](const EdgeUse* first, const EdgeUse* last) {
-    if (last - first == 2)
+  edges.VisitEdges(
+    [&opposite](const EdgeUse* first, const EdgeUse* last)
     {
-      opposite[first[0].Side] = static_cast<Index>(first[1].Side);
-      opposite[first[1].Side] = static_cast<Index>(first[0].Side);
-    }
-  });
+      if (last - first == 2)
+      {
+        opposite[first[0].Side] = static_cast<Index>(first[1].Side);
+        opposite[first[1].Side] = static_cast<Index>(first[0].Side);
+      }
+    });
   return opposite;
 }
 
@@ -100,8 +102,8 @@ namespace
 class CollinearFlipper
 {
 public:
-  CollinearFlipper(const std::vector<Vec3>& points, std::vector<Triangle>& triangles,
-    std::vector<Index>& opposite)
+  CollinearFlipper(
+    const std::vector<Vec3>& points, std::vector<Triangle>& triangles, std::vector<Index>& opposite)
     : Points(points)
     , Triangles(triangles)
     , Opposite(opposite)
@@ -209,8 +211,8 @@ private:
     this->Opposite[other] = side;
   }
 
-  /// Replaces the edge p q between t = (p q b) and its neighbour n = (p q d) by b d. Returns n, or -1
-  /// when this can't be done (now).
+  /// Replaces the edge p q between t = (p q b) and its neighbour n = (p q d) by b d. Returns n, or
+  /// -1 when this can't be done (now).
   Index Flip(Index t)
   {
     const int longest = this->LongestSide(t);
@@ -221,7 +223,7 @@ private:
     const Index n = across / 3;
     const Index d = this->Triangles[n][(across + 2 - 3 * n) % 3];
     if (d == b || this->Edges.count(EdgeKey(b, d)) > 0 ||
-      (this->IsCollinear(n) && 3 * n + this->LongestSide(n) != across))
+        (this->IsCollinear(n) && 3 * n + this->LongestSide(n) != across))
     {
       return -1;
     }
@@ -263,10 +265,10 @@ int PerturbedTurn(const Vec3& a, const Vec3& b, const Vec3& p)
   }
   return a[1] == b[1] ? 0 : (a[1] < b[1] ? 1 : -1);
 }
-}
+} // namespace
 
-CollinearFlips FlipCollinearTriangles(const std::vector<Vec3>& points,
-  std::vector<Triangle>& triangles, std::vector<Index>& opposite)
+CollinearFlips FlipCollinearTriangles(
+  const std::vector<Vec3>& points, std::vector<Triangle>& triangles, std::vector<Index>& opposite)
 {
   return CollinearFlipper(points, triangles, opposite).Run();
 }
@@ -282,9 +284,10 @@ bool Surrounds(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
     const Vec3& a = points[triangles[*id][0]];
     const Vec3& b = points[triangles[*id][1]];
     const Vec3& c = points[triangles[*id][2]];
-    if ((a[1] < p[1] && b[1] < p[1] && c[1] < p[1]) || (a[1] > p[1] && b[1] > p[1] && c[1] > p[1]) ||
-      (a[2] < p[2] && b[2] < p[2] && c[2] < p[2]) || (a[2] > p[2] && b[2] > p[2] && c[2] > p[2]) ||
-      (a[0] < p[0] && b[0] < p[0] && c[0] < p[0]))
+    if ((a[1] < p[1] && b[1] < p[1] && c[1] < p[1]) ||
+        (a[1] > p[1] && b[1] > p[1] && c[1] > p[1]) ||
+        (a[2] < p[2] && b[2] < p[2] && c[2] < p[2]) ||
+        (a[2] > p[2] && b[2] > p[2] && c[2] > p[2]) || (a[0] < p[0] && b[0] < p[0] && c[0] < p[0]))
     {
       continue;
     }
@@ -302,4 +305,4 @@ bool Surrounds(const std::vector<Vec3>& points, const std::vector<Triangle>& tri
   }
   return inside;
 }
-}
+} // namespace featurehex

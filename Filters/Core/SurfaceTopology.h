@@ -81,17 +81,17 @@ struct CollinearFlips
 };
 
 /// Removes triangles with three distinct collinear corners: the longest edge, which contains the
-/// third corner, is flipped, so that the neighbour is split there. The shape, the number of triangles
-/// and the topology don't change; triangles keep the orientation of that neighbour.
+/// third corner, is flipped, so that the neighbour is split there. The shape, the number of
+/// triangles and the topology don't change; triangles keep the orientation of that neighbour.
 /// Exact; @a points within the range of ExactPredicates.h.
 /// Precondition: every side has an opposite one; both are kept up to date.
-CollinearFlips FlipCollinearTriangles(const std::vector<Vec3>& points,
-  std::vector<Triangle>& triangles, std::vector<Index>& opposite);
+CollinearFlips FlipCollinearTriangles(
+  const std::vector<Vec3>& points, std::vector<Triangle>& triangles, std::vector<Index>& opposite);
 
 /// True when the closed surface made of the triangles @a ids surrounds @a p, which isn't on it.
 /// Exact; points within the range of ExactPredicates.h.
 bool Surrounds(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
   const Index* firstId, const Index* lastId, const Vec3& p);
-}
+} // namespace featurehex
 
 #endif
