@@ -4,6 +4,7 @@
 
 #include "DistancePieces.h"
 #include "Parallel.h"
+#include "SubMonitor.h"
 
 #include <cmath>
 #include <functional>
@@ -106,7 +107,15 @@ bool QuadElements(const std::vector<Vec3>& points, const std::vector<Quad>& quad
 Elements TriangleElements(const TriangleSearch& search)
 {
   Elements elements;
-  elements.Points = search.Points();
+  std::vector<Index> local(search.Points().size(), -1); // only points in use may count
+  const auto pointOf = [&](Index v) {
+    if (local[v] < 0)
+    {
+      local[v] = static_cast<Index>(elements.Points.size());
+      elements.Points.push_back(search.Points()[v]);
+    }
+    return local[v];
+  };
   const std::vector<Triangle>& triangles = search.Triangles();
   const auto area = [&](const Triangle& t) {
     const Vec3& a = search.Points()[t[0]];
@@ -130,12 +139,13 @@ Elements TriangleElements(const TriangleSearch& search)
     };
     if (n == 1)
     {
-      add(t[0], t[1], t[2]);
+      add(pointOf(t[0]), pointOf(t[1]), pointOf(t[2]));
       continue;
     }
     // Rows of points parallel to the edge 1-2; row r has r + 1 points and starts at r (r + 1) / 2.
     const auto first = static_cast<Index>(elements.Points.size());
-    const Vec3 a = elements.Points[t[0]], b = elements.Points[t[1]], c = elements.Points[t[2]];
+    const Vec3& a = search.Points()[t[0]];
+    const Vec3 &b = search.Points()[t[1]], &c = search.Points()[t[2]];
     for (int r = 0; r <= n; ++r)
     {
       for (int s = 0; s <= r; ++s)
@@ -429,7 +439,8 @@ DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& poin
 
   DistanceTarget surface;
   surface.Search = &this->Search;
-  if (!BoundElements(surface, patches, goal, monitor))
+  SubMonitor first(monitor, 0.0, 0.5);
+  if (!BoundElements(surface, patches, goal, first))
   {
     return decision;
   }
@@ -438,7 +449,8 @@ DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& poin
   QuadTarget mesh;
   BuildTarget(patches, DecisionSplitError * tolerance, mesh);
   Elements triangles = TriangleElements(this->Search);
-  if (!BoundElements(mesh.Target, triangles, goal, monitor))
+  SubMonitor second(monitor, 0.5, 1.0);
+  if (!BoundElements(mesh.Target, triangles, goal, second))
   {
     return decision;
   }
@@ -466,7 +478,8 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
 
   DistanceTarget surface;
   surface.Search = &this->Search;
-  if (!BoundElements(surface, patches, goal, monitor))
+  SubMonitor first(monitor, 0.0, 0.5);
+  if (!BoundElements(surface, patches, goal, first))
   {
     return bounds;
   }
@@ -483,7 +496,8 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   bounds.SplitError = mesh.Target.LargestSlack;
   goal.Gap = std::max(goal.Gap, 0.5 * goal.Gap + 2.0 * bounds.SplitError);
   Elements triangles = TriangleElements(this->Search);
-  if (!BoundElements(mesh.Target, triangles, goal, monitor))
+  SubMonitor second(monitor, 0.5, 1.0);
+  if (!BoundElements(mesh.Target, triangles, goal, second))
   {
     return bounds;
   }
