@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexImprovement.h"
+
+#include "PatchImprover.h"
+#include "VertexImprover.h"
+#include "VertexSchedule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace featurehex
+{
+namespace
+{
+constexpr int SweepsPerStage = 25;
+constexpr int DrawSweeps = 40;
+constexpr double DrawWeight = 20.0;
+constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
+constexpr int AverageSweeps = 3;
+constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
+
+/// The rounds of recipe-quality 2 with what they share.
+class Improvement
+{
+public:
+  Improvement(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
+    SurfaceEnvelope& envelope, const ImprovementOptions& options, Monitor& monitor)
+    : Mesh(mesh)
+    , Stars(stars)
+    , Surface(surface)
+    , Envelope(envelope)
+    , Options(options)
+    , Progress(monitor)
+    , Schedule(mesh.Hexes, stars.Hexes, 3)
+    , Vertices(mesh, stars, envelope,
+        options.EnvelopeShare * options.Tolerance * surface.Diagonal())
+    , Qualities(mesh.Hexes.size())
+    , Chosen(mesh.Points.size())
+  {
+    this->UpdateQualities();
+  }
+
+  double Minimum() const
+  {
+    return *std::min_element(this->Qualities.begin(), this->Qualities.end());
+  }
+
+  Index CountBelow(double level) const
+  {
+    return static_cast<Index>(std::count_if(this->Qualities.begin(), this->Qualities.end(),
+      [level](double quality) { return quality < level; }));
+  }
+
+  /// Quads beyond the limit are drawn back (env).
+  void DrawInside()
+  {
+    const double limit = this->Vertices.Limit();
+    for (int sweep = 0; sweep < DrawSweeps && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      if (sweep % 4 == 3)
+      {
+        this->Envelope.Rebuild();
+      }
+      this->Envelope.Measure();
+      std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
+      bool any = false;
+      for (std::size_t v = 0; v < this->Chosen.size(); ++v)
+      {
+        if (this->Envelope.BoundAround(static_cast<Index>(v)) > limit)
+        {
+          any = true;
+          for (Index h : this->Stars.Hexes[static_cast<Index>(v)])
+          {
+            for (Index u : this->Mesh.Hexes[h])
+            {
+              this->Chosen[u] = 1;
+            }
+          }
+        }
+      }
+      // The weight rises slowly: a quad should be drawn back by all its vertices, not by the first one visited.
+      const double weight = DrawWeight * std::pow(DrawGrowth, sweep);
+      if (!any ||
+        !this->Sweep([&](Index v) { return this->Vertices.DrawInside(v, weight); }))
+      {
+        break;
+      }
+    }
+    this->UpdateQualities();
+  }
+
+  /// Per-vertex steepest ascent of the minimum (mm).
+  void RaiseMinima(double target, double band)
+  {
+    for (int sweep = 0; sweep < SweepsPerStage && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      const double minimum = this->Minimum();
+      if (minimum >= target)
+      {
+        return;
+      }
+      this->ChooseBelow(std::min(target, minimum + band));
+      const bool moved = this->Sweep([this](Index v) { return this->Vertices.RaiseMinimum(v); });
+      this->UpdateQualities();
+      if (!moved)
+      {
+        return;
+      }
+    }
+  }
+
+  /// Moving barrier, vertex by vertex (bar).
+  void PushBarrier(double target, double gap)
+  {
+    for (int sweep = 0; sweep < SweepsPerStage && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      const double minimum = this->Minimum();
+      if (minimum >= target)
+      {
+        return;
+      }
+      const BarrierParameters parameters = { std::min(target + 0.005, minimum + 0.1), minimum - gap,
+        gap };
+      this->ChooseBelow(parameters.Theta);
+      const bool moved = this->Sweep(
+        [this, &parameters](Index v) { return this->Vertices.PushBarrier(v, parameters); });
+      this->UpdateQualities();
+      if (!moved)
+      {
+        return;
+      }
+    }
+  }
+
+  /// Newton on small neighbourhoods of the worst hexes.
+  void SolvePatches(double target)
+  {
+    if (this->CountBelow(target) < FewHexes)
+    {
+      PatchImprover patches(this->Mesh, this->Stars, this->Envelope, this->Vertices);
+      patches.RaiseWorst(target, this->Options.MaximumPatches, this->Progress);
+      this->UpdateQualities();
+    }
+  }
+
+  void RaiseAverage(double floor)
+  {
+    std::fill(this->Chosen.begin(), this->Chosen.end(), 1);
+    for (int sweep = 0; sweep < AverageSweeps && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      this->Sweep([this, floor](Index v) {
+        return this->Vertices.RaiseAverage(v, this->Surface, floor);
+      });
+    }
+    this->UpdateQualities();
+  }
+
+  void SetFraction(double fraction) { this->Fraction = fraction; }
+
+private:
+  void UpdateQualities()
+  {
+    ParallelFor(this->Mesh.Hexes.size(), 1024, [this](std::size_t h) {
+      this->Qualities[h] = LeastScaledJacobian(this->Mesh, static_cast<Index>(h));
+    });
+  }
+
+  void ChooseBelow(double level)
+  {
+    std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
+    for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+    {
+      if (this->Qualities[h] < level)
+      {
+        for (Index v : this->Mesh.Hexes[h])
+        {
+          this->Chosen[v] = 1;
+        }
+      }
+    }
+  }
+
+  template <typename Move>
+  bool Sweep(const Move& move)
+  {
+    return this->Schedule.Sweep([&](Index v) { return this->Chosen[v] && move(v); }) > 0;
+  }
+
+  HexMesh& Mesh;
+  const HexStars& Stars;
+  const SurfaceGeometry& Surface;
+  SurfaceEnvelope& Envelope;
+  const ImprovementOptions& Options;
+  Monitor& Progress;
+  VertexSchedule Schedule;
+  VertexImprover Vertices;
+  std::vector<double> Qualities;
+  std::vector<char> Chosen;
+  double Fraction = 0;
+};
+}
+
+Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
+  SurfaceEnvelope& envelope, const ImprovementOptions& options, ImprovementReport& report,
+  Monitor& monitor)
+{
+  report = ImprovementReport();
+  if (mesh.Hexes.empty())
+  {
+    return Status();
+  }
+  envelope.Measure();
+  report.DistanceBefore = std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
+  Improvement improvement(mesh, stars, surface, envelope, options, monitor);
+  report.MinimumBefore = improvement.Minimum();
+  improvement.DrawInside();
+
+  const double target = options.MinimumScaledJacobian;
+  double last = improvement.Minimum();
+  int stalled = 0;
+  for (int round = 0; round < options.MaximumRounds && stalled < 2; ++round)
+  {
+    improvement.SetFraction(static_cast<double>(round) / options.MaximumRounds);
+    if (!monitor.Update(static_cast<double>(round) / options.MaximumRounds))
+    {
+      return monitor.StopStatus();
+    }
+    if (improvement.Minimum() >= target)
+    {
+      break;
+    }
+    const double gap = round == 0 ? 0.01 : round == 1 ? 0.005 : 0.003;
+    improvement.RaiseMinima(target, round == 0 ? 0.2 : 0.1);
+    improvement.PushBarrier(target, gap);
+    improvement.SolvePatches(target);
+    const double minimum = improvement.Minimum();
+    stalled = minimum - last < 1e-3 ? stalled + 1 : 0;
+    last = minimum;
+    ++report.Rounds;
+  }
+  improvement.RaiseAverage(std::min(target, improvement.Minimum()));
+  envelope.Rebuild();
+  improvement.DrawInside();
+  if (monitor.Stopped())
+  {
+    return monitor.StopStatus();
+  }
+  envelope.Measure();
+  report.DistanceAfter = std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
+  report.MinimumAfter = improvement.Minimum();
+  report.BelowTarget = improvement.CountBelow(target);
+  return Status();
+}
+}

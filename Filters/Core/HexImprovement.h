@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Worst-element stage: raises the minimum scaled Jacobian of a fitted mesh inside the tolerance
+/// (design 3.8, recipe-quality 2).
+
+#ifndef featurehex_HexImprovement_h
+#define featurehex_HexImprovement_h
+
+#include "HexStars.h"
+#include "Monitor.h"
+#include "SurfaceEnvelope.h"
+
+namespace featurehex
+{
+struct ImprovementOptions
+{
+  /// Wanted minimum scaled Jacobian; best effort.
+  double MinimumScaledJacobian = 0.55;
+  /// Fraction of the diagonal of the surface's bounding box.
+  double Tolerance = 0.005;
+  /// Sampled distances stay below this share of the tolerance, so that the certified bound of all
+  /// points, not only of the samples, stays below the tolerance.
+  double EnvelopeShare = 0.94;
+  int MaximumRounds = 8;
+  int MaximumPatches = 40; ///< per round
+};
+
+struct ImprovementReport
+{
+  double MinimumBefore = 0, MinimumAfter = 0;
+  double DistanceBefore = 0, DistanceAfter = 0; ///< sampled, model units
+  int Rounds = 0;
+  Index BelowTarget = 0; ///< hexes left below the wanted minimum
+};
+
+/// Moves points of a valid mesh; connectivity stays. Every step keeps elements valid over their whole volume and
+/// quads inside the envelope. @a envelope belongs to this mesh.
+Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
+  SurfaceEnvelope& envelope, const ImprovementOptions& options, ImprovementReport& report,
+  Monitor& monitor);
+}
+
+#endif

@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HexOptimizer.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace featurehex
+{
+namespace
+{
+constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
+constexpr double MaximumStep = 0.3;               // of the local size
+constexpr double MinimumStep = 1e-6;              // of the local size: below it the vertex is at rest
+constexpr double WakingStep = 2e-3;               // of the local size: wakes the neighbours
+constexpr double RatioTest = 0.8;                 // share of a determinant that one step may take
+
+double Determinant(const HexMesh& mesh, const Hex& hex, int corner)
+{
+  const Vec3& p = mesh.Points[hex[corner]];
+  const Vec3 a = mesh.Points[hex[HexCornerNeighbors[corner][0]]] - p;
+  const Vec3 b = mesh.Points[hex[HexCornerNeighbors[corner][1]]] - p;
+  const Vec3 c = mesh.Points[hex[HexCornerNeighbors[corner][2]]] - p;
+  return a.dot(b.cross(c));
+}
+
+double Regularized(double det, double delta)
+{
+  return 0.5 * (det + std::sqrt(det * det + delta * delta));
+}
+}
+
+/// One corner of an incident hex as a function of the moving vertex: S = |J|^2 (quadratic, Hessian 2 Edges I)
+/// and D = det J (affine).
+struct HexOptimizer::Corner
+{
+  double S, D, Edges, Delta;
+  Vec3 GradS, GradD;
+};
+
+HexOptimizer::HexOptimizer(HexMesh& mesh, const HexStars& stars)
+  : VertexTerms(mesh.Points.size())
+  , CentroidTerms(stars.Quads.size())
+  , ReverseTerms(stars.Quads.size())
+  , Fixed(mesh.Points.size(), false)
+  , Mesh(mesh)
+  , Stars(stars)
+  , Schedule(mesh.Hexes, stars.Hexes, 1)
+  , VertexSizes(mesh.Points.size())
+  , HexSizes(mesh.Hexes.size())
+  , Active(new std::atomic<bool>[mesh.Points.size()])
+{
+  this->UpdateSizes();
+  this->ActivateAll();
+}
+
+void HexOptimizer::UpdateSizes()
+{
+  ParallelFor(this->Mesh.Hexes.size(), 2048, [&](std::size_t h) {
+    const Hex& hex = this->Mesh.Hexes[h];
+    double sum = 0;
+    for (const auto& edge : HexEdges)
+    {
+      sum += (this->Mesh.Points[hex[edge[1]]] - this->Mesh.Points[hex[edge[0]]]).norm();
+    }
+    this->HexSizes[h] = sum / 12;
+  });
+  ParallelFor(this->Mesh.Points.size(), 2048, [&](std::size_t v) {
+    const auto hexes = this->Stars.Hexes[static_cast<Index>(v)];
+    double sum = 0;
+    for (Index h : hexes)
+    {
+      sum += this->HexSizes[h];
+    }
+    this->VertexSizes[v] = hexes.size() > 0 ? sum / hexes.size() : 0.0;
+  });
+}
+
+void HexOptimizer::ActivateAll()
+{
+  for (std::size_t v = 0; v < this->Mesh.Points.size(); ++v)
+  {
+    this->Active[v].store(true, std::memory_order_relaxed);
+  }
+}
+
+void HexOptimizer::ActivateBoundary()
+{
+  for (const Quad& quad : this->Stars.Quads)
+  {
+    for (Index v : quad)
+    {
+      this->Active[v].store(true, std::memory_order_relaxed);
+    }
+  }
+}
+
+void HexOptimizer::ActivateAround(Index vertex)
+{
+  for (Index h : this->Stars.Hexes[vertex])
+  {
+    for (Index u : this->Mesh.Hexes[h])
+    {
+      this->Active[u].store(true, std::memory_order_relaxed);
+    }
+  }
+}
+
+double HexOptimizer::HexLeastDeterminant(Index hex) const
+{
+  double least = 1e300;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    least = std::min(least, Determinant(this->Mesh, this->Mesh.Hexes[hex], corner));
+  }
+  return least;
+}
+
+Index HexOptimizer::CountInverted() const
+{
+  Index count = 0;
+  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+  {
+    count += this->HexLeastDeterminant(static_cast<Index>(h)) > 0 ? 0 : 1;
+  }
+  return count;
+}
+
+double HexOptimizer::LeastDeterminant() const
+{
+  double least = 1e300;
+  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+  {
+    const double size = this->HexSizes[h];
+    least = std::min(least, this->HexLeastDeterminant(static_cast<Index>(h)) / (size * size * size));
+  }
+  return least;
+}
+
+std::size_t HexOptimizer::Sweep(double regularization)
+{
+  return this->Schedule.Sweep([this, regularization](Index v) {
+    if (this->Fixed[v] || !this->Active[v].load(std::memory_order_relaxed))
+    {
+      return false;
+    }
+    this->Active[v].store(false, std::memory_order_relaxed);
+    return this->MoveVertex(v, regularization);
+  });
+}
+
+void HexOptimizer::CollectCorners(
+  Index vertex, double regularization, std::vector<Corner>& corners) const
+{
+  corners.clear();
+  const Vec3 p = this->Mesh.Points[vertex];
+  for (Index i = this->Stars.Hexes.Offsets[vertex]; i < this->Stars.Hexes.Offsets[vertex + 1]; ++i)
+  {
+    const Index h = this->Stars.Hexes.Ids[i];
+    const Hex& hex = this->Mesh.Hexes[h];
+    const int corner = this->Stars.Corners[i];
+    const double size = this->HexSizes[h];
+    const double delta = regularization * size * size * size;
+    const auto point = [&](int local) -> const Vec3& { return this->Mesh.Points[hex[local]]; };
+
+    const Vec3 e0 = point(HexCornerNeighbors[corner][0]) - p;
+    const Vec3 e1 = point(HexCornerNeighbors[corner][1]) - p;
+    const Vec3 e2 = point(HexCornerNeighbors[corner][2]) - p;
+    const Vec3 c12 = e1.cross(e2);
+    corners.push_back({ e0.squaredNorm() + e1.squaredNorm() + e2.squaredNorm(), e0.dot(c12), 3.0,
+      delta, -2 * (e0 + e1 + e2), -(c12 + e2.cross(e0) + e0.cross(e1)) });
+
+    for (const NeighborCorner& n : NeighborCorners[corner])
+    {
+      const Vec3& apex = point(n.Vertex);
+      const Vec3 a = p - apex;
+      const Vec3 b = point(n.First) - apex;
+      const Vec3 c = point(n.Second) - apex;
+      const Vec3 bc = b.cross(c);
+      corners.push_back(
+        { a.squaredNorm() + b.squaredNorm() + c.squaredNorm(), a.dot(bc), 1.0, delta, 2 * a, bc });
+    }
+  }
+}
+
+/// Visits (term, displacement of the term's point, weight of the vertex in it).
+template <typename Visitor>
+void HexOptimizer::VisitTerms(Index vertex, const Visitor& visit) const
+{
+  const SurfaceTerm& own = this->VertexTerms[vertex];
+  if (own.Weight > 0)
+  {
+    visit(own, Vec3(this->Mesh.Points[vertex] - own.Target), 1.0);
+  }
+  for (Index q : this->Stars.QuadsOfVertex[vertex])
+  {
+    const Quad& quad = this->Stars.Quads[q];
+    for (const std::vector<QuadTerm>* terms : { &this->CentroidTerms, &this->ReverseTerms })
+    {
+      const QuadTerm& term = (*terms)[q];
+      if (term.Term.Weight > 0)
+      {
+        Vec3 d = -term.Term.Target;
+        double weight = 0;
+        for (int k = 0; k < 4; ++k)
+        {
+          d += term.Weights[k] * this->Mesh.Points[quad[k]];
+          weight += quad[k] == vertex ? term.Weights[k] : 0.0;
+        }
+        visit(term.Term, d, weight);
+      }
+    }
+  }
+}
+
+bool HexOptimizer::MoveVertex(Index vertex, double regularization)
+{
+  const bool valid = regularization < 0;
+  static thread_local std::vector<Corner> corners;
+  this->CollectCorners(vertex, regularization, corners);
+  if (corners.empty())
+  {
+    return false;
+  }
+
+  double energy = 0;
+  Vec3 gradient = Vec3::Zero();
+  Mat3 hessian = Mat3::Zero();
+  for (const Corner& corner : corners)
+  {
+    double det = corner.D;
+    double slope = 1;
+    if (!valid)
+    {
+      const double root = std::sqrt(det * det + corner.Delta * corner.Delta);
+      slope = 0.5 * (1 + det / root);
+      det = 0.5 * (det + root);
+    }
+    else if (!(det > 0))
+    {
+      return false;
+    }
+    const double f = MipsScale * corner.S * std::sqrt(corner.S) / det;
+    const double fS = 1.5 * f / corner.S;
+    const double fD = -f / det;
+    const Vec3 gradD = slope * corner.GradD;
+    energy += f;
+    gradient += fS * corner.GradS + fD * gradD;
+    // Second derivative of f in (S, D); the curvature of chi is dropped (Gauss-Newton).
+    const Vec3 mixed = (-1.5 * f / (corner.S * det)) * gradD + (0.375 * f / (corner.S * corner.S)) * corner.GradS;
+    hessian.noalias() += corner.GradS * mixed.transpose() + mixed * corner.GradS.transpose() +
+      (2 * f / (det * det)) * gradD * gradD.transpose();
+    hessian.diagonal().array() += 2 * fS * corner.Edges;
+  }
+  this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
+    const double nd = term.Normal.dot(d);
+    energy += term.Weight * (nd * nd + term.Tether * d.squaredNorm());
+    gradient += (2 * w * term.Weight) * (nd * term.Normal + term.Tether * d);
+    hessian.noalias() += (2 * w * w * term.Weight) * term.Normal * term.Normal.transpose();
+    hessian.diagonal().array() += 2 * w * w * term.Weight * term.Tether;
+  });
+
+  const double size = this->VertexSizes[vertex];
+  Vec3 step = -hessian.ldlt().solve(gradient);
+  if (!step.allFinite() || !(gradient.dot(step) < 0))
+  {
+    step = -gradient / hessian.trace();
+    if (!step.allFinite() || !(gradient.dot(step) < 0))
+    {
+      return false;
+    }
+  }
+  const double length = step.norm();
+  if (length < MinimumStep * size)
+  {
+    return false;
+  }
+  double alpha = std::min(1.0, MaximumStep * size / length);
+  if (valid)
+  {
+    for (const Corner& corner : corners)
+    {
+      const double change = corner.GradD.dot(step);
+      if (change < 0)
+      {
+        alpha = std::min(alpha, RatioTest * corner.D / -change);
+      }
+    }
+  }
+
+  const auto energyAt = [&](double a) {
+    double sum = 0;
+    for (const Corner& corner : corners)
+    {
+      const double s = corner.S + a * corner.GradS.dot(step) + a * a * corner.Edges * length * length;
+      const double det = corner.D + a * corner.GradD.dot(step);
+      const double chi = valid ? det : Regularized(det, corner.Delta);
+      if (!(chi > 0))
+      {
+        return 1e300;
+      }
+      sum += MipsScale * s * std::sqrt(s) / chi;
+    }
+    this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
+      const Vec3 moved = d + (a * w) * step;
+      const double nd = term.Normal.dot(moved);
+      sum += term.Weight * (nd * nd + term.Tether * moved.squaredNorm());
+    });
+    return sum;
+  };
+  for (int trial = 0; trial < 8; ++trial, alpha *= 0.4)
+  {
+    if (energyAt(alpha) < energy)
+    {
+      this->Mesh.Points[vertex] += alpha * step;
+      if (alpha * length > WakingStep * size)
+      {
+        this->ActivateAround(vertex);
+      }
+      return true;
+    }
+  }
+  return false;
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// A checked surface with what the stages ask of it: closest points, smooth normals, samples.
+
+#ifndef featurehex_SurfaceGeometry_h
+#define featurehex_SurfaceGeometry_h
+
+#include "TriangleSearch.h"
+
+namespace featurehex
+{
+/// Prepared once for a surface and shared by all stages and rounds.
+class SurfaceGeometry
+{
+public:
+  explicit SurfaceGeometry(SurfaceMesh surface);
+
+  const SurfaceMesh& Mesh() const { return this->Surface; }
+  const TriangleSearch& Search() const { return this->Triangles; }
+  const Box& Bounds() const { return this->BoundingBox; }
+  double Diagonal() const { return this->BoundingBox.Diagonal(); }
+
+  /// Unit normal interpolated from area-weighted point normals; zero where they cancel.
+  Vec3 NormalAt(const TrianglePoint& point) const;
+
+  /// All points, and points on edges and triangles longer than @a spacing: no point of the surface is
+  /// farther than about @a spacing / sqrt(3) from a sample. Order: points, then edges and interiors by triangle.
+  std::vector<Vec3> Samples(double spacing) const;
+
+private:
+  SurfaceMesh Surface;
+  TriangleSearch Triangles;
+  std::vector<Vec3> PointNormals;
+  Box BoundingBox;
+};
+}
+
+#endif

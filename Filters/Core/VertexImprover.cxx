@@ -1,0 +1,691 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VertexImprover.h"
+
+#include "BarrierFunction.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace featurehex
+{
+namespace
+{
+constexpr double LeastEdgeRatio = 0.2;
+constexpr double LongestStep = 0.3;      // of the mean or shortest edge
+constexpr double NearLimit = 0.6;        // share of the limit from which contacts are felt
+constexpr double BarrierPull = 10.0;     // weight and start (share of the limit) of the envelope term
+constexpr double BarrierPullStart = 0.8; // ... beside the barrier
+constexpr double DrawPullStart = 0.9;
+constexpr double AveragePull = 1000.0; // of the surface term of RaiseAverage, per corner
+constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
+
+/// Newton step of a 3x3 system with the eigenvalues made positive.
+Vec3 ModifiedNewtonStep(const Mat3& hessian, const Vec3& gradient)
+{
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  solver.computeDirect(hessian);
+  const Vec3 values = solver.eigenvalues().cwiseAbs();
+  const double largest = std::max(values.maxCoeff(), 1e-30);
+  const Vec3 y = solver.eigenvectors().transpose() * gradient;
+  return solver.eigenvectors() * (-y.array() / values.array().max(1e-3 * largest)).matrix();
+}
+}
+
+double LeastScaledJacobian(const HexMesh& mesh, Index hex)
+{
+  const Hex& h = mesh.Hexes[hex];
+  double least = 2;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vec3& p = mesh.Points[h[corner]];
+    const Vec3 a = mesh.Points[h[HexCornerNeighbors[corner][0]]] - p;
+    const Vec3 b = mesh.Points[h[HexCornerNeighbors[corner][1]]] - p;
+    const Vec3 c = mesh.Points[h[HexCornerNeighbors[corner][2]]] - p;
+    const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
+    least = std::min(least, lengths > 0 ? a.dot(b.cross(c)) / lengths : -1.0);
+  }
+  return least;
+}
+
+double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
+{
+  // Corner of the hex at (i, j, k) of the unit cube.
+  static constexpr int at[2][2][2] = { { { 0, 4 }, { 3, 7 } }, { { 1, 5 }, { 2, 6 } } };
+  const Hex& h = mesh.Hexes[hex];
+  const auto point = [&](int i, int j, int k) -> const Vec3& { return mesh.Points[h[at[i][j][k]]]; };
+  Vec3 du[2][2], dv[2][2], dw[2][2];
+  for (int a = 0; a < 2; ++a)
+  {
+    for (int b = 0; b < 2; ++b)
+    {
+      du[a][b] = point(1, a, b) - point(0, a, b);
+      dv[a][b] = point(a, 1, b) - point(a, 0, b);
+      dw[a][b] = point(a, b, 1) - point(a, b, 0);
+    }
+  }
+  double coefficients[3][3][3] = {};
+  for (int j1 = 0; j1 < 2; ++j1)
+  {
+    for (int k1 = 0; k1 < 2; ++k1)
+    {
+      for (int i1 = 0; i1 < 2; ++i1)
+      {
+        for (int k2 = 0; k2 < 2; ++k2)
+        {
+          const Vec3 cross = du[j1][k1].cross(dv[i1][k2]);
+          for (int i2 = 0; i2 < 2; ++i2)
+          {
+            for (int j2 = 0; j2 < 2; ++j2)
+            {
+              coefficients[i1 + i2][j1 + j2][k1 + k2] += cross.dot(dw[i2][j2]);
+            }
+          }
+        }
+      }
+    }
+  }
+  static constexpr double binomial[3] = { 1, 2, 1 };
+  double least = 1e300;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        least = std::min(least, coefficients[i][j][k] / (binomial[i] * binomial[j] * binomial[k]));
+      }
+    }
+  }
+  return least;
+}
+
+/// A corner of an incident hex as a function of the vertex, which is its apex or the end of one of its edges.
+struct VertexImprover::Corner
+{
+  bool Apex;
+  std::array<Vec3, 3> Ends; ///< apex: the three neighbours
+  Vec3 Origin;              ///< edge end: the apex
+  Vec3 Cross;               ///< edge end: cross product of the two other edges ...
+  double Product;           ///< ... of their lengths ...
+  double Squares;           ///< ... and the sum of their squared lengths
+  double Value;             ///< scaled Jacobian at the start
+
+  double ScaledJacobian(const Vec3& x) const
+  {
+    if (!this->Apex)
+    {
+      const Vec3 a = x - this->Origin;
+      const double lengths = a.norm() * this->Product;
+      return lengths > 0 ? a.dot(this->Cross) / lengths : -1.0;
+    }
+    const Vec3 a = this->Ends[0] - x;
+    const Vec3 b = this->Ends[1] - x;
+    const Vec3 c = this->Ends[2] - x;
+    const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
+    return lengths > 0 ? a.dot(b.cross(c)) / lengths : -1.0;
+  }
+
+  Vec3 Gradient(const Vec3& x) const
+  {
+    if (!this->Apex)
+    {
+      const Vec3 a = x - this->Origin;
+      const double length = a.norm();
+      return (this->Cross / this->Product - this->Value * a / length) / length;
+    }
+    Vec3 unit[3];
+    double length[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      unit[k] = this->Ends[k] - x;
+      length[k] = unit[k].norm();
+      unit[k] /= length[k];
+    }
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += (unit[(k + 1) % 3].cross(unit[(k + 2) % 3]) - this->Value * unit[k]) / length[k];
+    }
+    return -sum;
+  }
+
+  void Derivatives(const Vec3& x, Vec3& gradient, Mat3& hessian) const
+  {
+    if (!this->Apex)
+    {
+      Vec3 a = x - this->Origin;
+      const double length = a.norm();
+      a /= length;
+      const Vec3 n = this->Cross / this->Product;
+      gradient = (n - this->Value * a) / length;
+      hessian = (-n * a.transpose() - a * n.transpose() + 3 * this->Value * a * a.transpose() -
+                  this->Value * Mat3::Identity()) /
+        (length * length);
+      return;
+    }
+    // Through the logarithm: log s = log det - sum of log lengths.
+    const Vec3 edges[3] = { this->Ends[0] - x, this->Ends[1] - x, this->Ends[2] - x };
+    const Vec3 c01 = edges[0].cross(edges[1]);
+    const Vec3 c12 = edges[1].cross(edges[2]);
+    const Vec3 c20 = edges[2].cross(edges[0]);
+    const double det = edges[0].dot(c12);
+    if (!(std::abs(det) > 0))
+    {
+      gradient.setZero();
+      hessian.setZero();
+      return;
+    }
+    gradient = -(c01 + c12 + c20) / det;
+    hessian = -gradient * gradient.transpose();
+    for (const Vec3& edge : edges)
+    {
+      const double square = edge.squaredNorm();
+      gradient += edge / square;
+      hessian += (2 / (square * square)) * edge * edge.transpose();
+      hessian.diagonal().array() -= 1 / square;
+    }
+    hessian = this->Value * (hessian + gradient * gradient.transpose());
+    gradient *= this->Value;
+  }
+
+  /// MIPS 3^(-3/2) S^(3/2) / det; 1e300 when inverted.
+  double Distortion(const Vec3& x) const
+  {
+    double squares, det;
+    if (this->Apex)
+    {
+      const Vec3 a = this->Ends[0] - x;
+      const Vec3 b = this->Ends[1] - x;
+      const Vec3 c = this->Ends[2] - x;
+      squares = a.squaredNorm() + b.squaredNorm() + c.squaredNorm();
+      det = a.dot(b.cross(c));
+    }
+    else
+    {
+      const Vec3 a = x - this->Origin;
+      squares = a.squaredNorm() + this->Squares;
+      det = a.dot(this->Cross);
+    }
+    return det > 0 ? MipsScale * squares * std::sqrt(squares) / det : 1e300;
+  }
+
+  void DistortionDerivatives(const Vec3& x, Vec3& gradient, Mat3& hessian) const
+  {
+    double squares, det, edges;
+    Vec3 gradSquares, gradDet;
+    if (this->Apex)
+    {
+      const Vec3 a = this->Ends[0] - x;
+      const Vec3 b = this->Ends[1] - x;
+      const Vec3 c = this->Ends[2] - x;
+      const Vec3 bc = b.cross(c);
+      squares = a.squaredNorm() + b.squaredNorm() + c.squaredNorm();
+      det = a.dot(bc);
+      edges = 3;
+      gradSquares = -2 * (a + b + c);
+      gradDet = -(bc + c.cross(a) + a.cross(b));
+    }
+    else
+    {
+      const Vec3 a = x - this->Origin;
+      squares = a.squaredNorm() + this->Squares;
+      det = a.dot(this->Cross);
+      edges = 1;
+      gradSquares = 2 * a;
+      gradDet = this->Cross;
+    }
+    const double f = MipsScale * squares * std::sqrt(squares) / det;
+    const double fS = 1.5 * f / squares;
+    gradient = fS * gradSquares - (f / det) * gradDet;
+    const Vec3 mixed =
+      (-1.5 * f / (squares * det)) * gradDet + (0.375 * f / (squares * squares)) * gradSquares;
+    hessian = gradSquares * mixed.transpose() + mixed * gradSquares.transpose() +
+      (2 * f / (det * det)) * gradDet * gradDet.transpose();
+    hessian.diagonal().array() += 2 * fS * edges;
+  }
+};
+
+/// An envelope contact as a function of the vertex: distance(x) = Distance + Gradient . (x - x0).
+struct VertexImprover::Pull
+{
+  double Distance;
+  Vec3 Gradient;
+};
+
+struct VertexImprover::Star
+{
+  Vec3 Position;
+  double Length = 0;   ///< mean edge length at the start of the improvement
+  double Shortest = 0; ///< shortest edge now
+  double Least = 2;    ///< least scaled Jacobian of the corners
+  std::vector<Corner> Corners;
+  std::vector<Pull> Pulls;
+  std::vector<EnvelopeContact> Contacts;
+  double Limit = 0; ///< the envelope's, or the distance now where that is beyond
+};
+
+VertexImprover::VertexImprover(
+  HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit)
+  : Mesh(mesh)
+  , Stars(stars)
+  , Envelope(envelope)
+  , EnvelopeLimit(limit)
+  , Lengths(mesh.Points.size(), 0.0)
+{
+  for (Index v = 0; v < stars.Hexes.size(); ++v)
+  {
+    double sum = 0;
+    int count = 0;
+    for (Index i = stars.Hexes.Offsets[v]; i < stars.Hexes.Offsets[v + 1]; ++i)
+    {
+      for (int neighbor : HexCornerNeighbors[stars.Corners[i]])
+      {
+        sum += (mesh.Points[mesh.Hexes[stars.Hexes.Ids[i]][neighbor]] - mesh.Points[v]).norm();
+        ++count;
+      }
+    }
+    this->Lengths[v] = count > 0 ? sum / count : 0.0;
+  }
+}
+
+void VertexImprover::Gather(Index vertex, Star& star) const
+{
+  star.Position = this->Mesh.Points[vertex];
+  star.Length = this->Lengths[vertex];
+  star.Shortest = 1e300;
+  star.Least = 2;
+  star.Corners.clear();
+  star.Pulls.clear();
+  for (Index i = this->Stars.Hexes.Offsets[vertex]; i < this->Stars.Hexes.Offsets[vertex + 1]; ++i)
+  {
+    const Hex& hex = this->Mesh.Hexes[this->Stars.Hexes.Ids[i]];
+    const int local = this->Stars.Corners[i];
+    Corner corner;
+    corner.Apex = true;
+    for (int k = 0; k < 3; ++k)
+    {
+      corner.Ends[k] = this->Mesh.Points[hex[HexCornerNeighbors[local][k]]];
+      star.Shortest = std::min(star.Shortest, (corner.Ends[k] - star.Position).norm());
+    }
+    star.Corners.push_back(corner);
+    for (const NeighborCorner& n : NeighborCorners[local])
+    {
+      corner.Apex = false;
+      corner.Origin = this->Mesh.Points[hex[n.Vertex]];
+      const Vec3 b = this->Mesh.Points[hex[n.First]] - corner.Origin;
+      const Vec3 c = this->Mesh.Points[hex[n.Second]] - corner.Origin;
+      corner.Cross = b.cross(c);
+      corner.Squares = b.squaredNorm() + c.squaredNorm();
+      corner.Product = std::sqrt(b.squaredNorm() * c.squaredNorm());
+      star.Corners.push_back(corner);
+    }
+  }
+  for (Corner& corner : star.Corners)
+  {
+    corner.Value = corner.ScaledJacobian(star.Position);
+    star.Least = std::min(star.Least, corner.Value);
+  }
+  star.Limit = this->EnvelopeLimit;
+}
+
+void VertexImprover::GatherPulls(Index vertex, double threshold, Star& star)
+{
+  star.Contacts.clear();
+  for (Index q : this->Stars.QuadsOfVertex[vertex])
+  {
+    this->Envelope.Collect(q, threshold, star.Contacts);
+  }
+  for (const EnvelopeContact& contact : star.Contacts)
+  {
+    star.Limit = std::max(star.Limit, contact.Distance);
+    const Quad& quad = this->Stars.Quads[contact.Quad];
+    for (int k = 0; k < 4; ++k)
+    {
+      if (quad[k] == vertex)
+      {
+        star.Pulls.push_back({ contact.Distance,
+          contact.Weights[k] * (contact.QuadPoint - contact.SurfacePoint) / contact.Distance });
+      }
+    }
+  }
+}
+
+double VertexImprover::EdgeRatio(Index vertex, const Vec3& position) const
+{
+  double shortest = 1e300;
+  double longest = 0;
+  for (Index i = this->Stars.Hexes.Offsets[vertex]; i < this->Stars.Hexes.Offsets[vertex + 1]; ++i)
+  {
+    for (int neighbor : HexCornerNeighbors[this->Stars.Corners[i]])
+    {
+      const double length =
+        (this->Mesh.Points[this->Mesh.Hexes[this->Stars.Hexes.Ids[i]][neighbor]] - position)
+          .squaredNorm();
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+  }
+  return longest > 0 ? std::sqrt(shortest / longest) : 0.0;
+}
+
+/// Halves the step until accept(position) and all hard checks hold; the vertex is moved or stays.
+template <typename Accept>
+bool VertexImprover::Search(
+  Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept)
+{
+  const auto hexes = this->Stars.Hexes[vertex];
+  const double ratio = this->EdgeRatio(vertex, star.Position);
+  std::array<double, 64> before;
+  const Index count = std::min<Index>(hexes.size(), static_cast<Index>(before.size()));
+  for (Index i = 0; i < count; ++i)
+  {
+    before[i] = LeastBezierCoefficient(this->Mesh, hexes[i]);
+  }
+  double alpha = 1;
+  for (int trial = 0; trial < trials; ++trial, alpha *= 0.5)
+  {
+    const Vec3 position = star.Position + alpha * step;
+    if (!accept(position))
+    {
+      continue;
+    }
+    const double newRatio = this->EdgeRatio(vertex, position);
+    if (newRatio < LeastEdgeRatio && newRatio < ratio)
+    {
+      continue;
+    }
+    this->Mesh.Points[vertex] = position;
+    bool sound = true;
+    for (Index i = 0; i < hexes.size() && sound; ++i)
+    {
+      const double least = LeastBezierCoefficient(this->Mesh, hexes[i]);
+      sound = least > 0 || (i < count && least >= before[i]);
+    }
+    if (sound &&
+      (!this->Stars.OnBoundary(vertex) ||
+        this->Envelope.AcceptMove(
+          this->Stars.QuadsOfVertex[vertex], alpha * step.norm(), star.Limit)))
+    {
+      return true;
+    }
+    this->Mesh.Points[vertex] = star.Position;
+  }
+  return false;
+}
+
+bool VertexImprover::RaiseMinimum(Index vertex)
+{
+  static thread_local Star star;
+  this->Gather(vertex, star);
+  this->GatherPulls(vertex, NearLimit * this->EnvelopeLimit, star);
+  struct Value
+  {
+    double Level;
+    Vec3 Gradient;
+  };
+  static thread_local std::vector<Value> values;
+  values.clear();
+  for (const Corner& corner : star.Corners)
+  {
+    if (corner.Value < star.Least + 0.4)
+    {
+      values.push_back({ corner.Value, corner.Gradient(star.Position) });
+    }
+  }
+  const double scale = 2 / this->EnvelopeLimit;
+  for (const Pull& pull : star.Pulls)
+  {
+    values.push_back({ star.Least + scale * std::max(0.0, star.Limit - pull.Distance),
+      -scale * pull.Gradient });
+  }
+
+  // Proximal step d = rho sum(lambda g), lambda on the simplex minimising rho/2 |sum lambda g|^2 + sum lambda s:
+  // pairwise Frank-Wolfe.
+  const double rho = LongestStep * star.Length * star.Length;
+  static thread_local std::vector<double> lambda;
+  lambda.assign(values.size(), 0.0);
+  std::size_t least = 0;
+  for (std::size_t i = 1; i < values.size(); ++i)
+  {
+    least = values[i].Level < values[least].Level ? i : least;
+  }
+  lambda[least] = 1;
+  Vec3 sum = values[least].Gradient;
+  for (int iteration = 0; iteration < 80; ++iteration)
+  {
+    std::size_t toward = 0;
+    std::size_t away = 0;
+    double low = 1e300;
+    double high = -1e300;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      const double slope = rho * sum.dot(values[i].Gradient) + values[i].Level;
+      if (slope < low)
+      {
+        low = slope;
+        toward = i;
+      }
+      if (lambda[i] > 0 && slope > high)
+      {
+        high = slope;
+        away = i;
+      }
+    }
+    if (high - low < 1e-7)
+    {
+      break;
+    }
+    const Vec3 difference = values[toward].Gradient - values[away].Gradient;
+    const double curvature = rho * difference.squaredNorm();
+    const double shift =
+      std::min(curvature > 0 ? (high - low) / curvature : 1.0, lambda[away]);
+    lambda[away] -= shift;
+    lambda[toward] += shift;
+    sum += shift * difference;
+  }
+  Vec3 step = rho * sum;
+  const double length = step.norm();
+  if (!(length >= 1e-7 * star.Length))
+  {
+    return false;
+  }
+  step *= std::min(1.0, LongestStep * star.Length / length);
+  return this->Search(vertex, star, step, 7, [](const Vec3& x) {
+    double lowest = 2;
+    for (const Corner& corner : star.Corners)
+    {
+      lowest = std::min(lowest, corner.ScaledJacobian(x));
+    }
+    return lowest >= star.Least + 1e-6;
+  });
+}
+
+bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& parameters)
+{
+  static thread_local Star star;
+  this->Gather(vertex, star);
+  if (star.Least >= parameters.Theta)
+  {
+    return false;
+  }
+  this->GatherPulls(vertex, NearLimit * this->EnvelopeLimit, star);
+
+  const auto floor = [&](const Corner& corner) {
+    return std::min(parameters.Floor, corner.Value - parameters.Gap);
+  };
+  const auto pullEnergy = [this](double distance) {
+    const double excess = distance / this->EnvelopeLimit - BarrierPullStart;
+    return excess > 0 ? BarrierPull * excess * excess : 0.0;
+  };
+  double energy = 0;
+  Vec3 gradient = Vec3::Zero();
+  Mat3 hessian = Mat3::Zero();
+  for (const Corner& corner : star.Corners)
+  {
+    const BarrierValue phi = Barrier(corner.Value, floor(corner), parameters.Theta);
+    energy += phi.Value;
+    if (phi.First != 0 || phi.Second != 0)
+    {
+      Vec3 g;
+      Mat3 h;
+      corner.Derivatives(star.Position, g, h);
+      gradient += phi.First * g;
+      hessian += phi.Second * g * g.transpose() + phi.First * h;
+    }
+  }
+  for (const Pull& pull : star.Pulls)
+  {
+    const double excess = pull.Distance / this->EnvelopeLimit - BarrierPullStart;
+    if (excess > 0)
+    {
+      const Vec3 g = pull.Gradient / this->EnvelopeLimit;
+      energy += pullEnergy(pull.Distance);
+      gradient += 2 * BarrierPull * excess * g;
+      hessian += 2 * BarrierPull * g * g.transpose();
+    }
+  }
+  Vec3 step = ModifiedNewtonStep(hessian, gradient);
+  const double length = step.norm();
+  if (!(length >= 1e-9 * star.Length))
+  {
+    return false;
+  }
+  step *= std::min(1.0, LongestStep * star.Shortest / length);
+  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+    double sum = 0;
+    for (const Corner& corner : star.Corners)
+    {
+      const double s = corner.ScaledJacobian(x);
+      const double lowest = floor(corner);
+      if (s <= lowest)
+      {
+        return false;
+      }
+      sum += Barrier(s, lowest, parameters.Theta).Value;
+    }
+    for (const Pull& pull : star.Pulls)
+    {
+      sum += pullEnergy(pull.Distance + pull.Gradient.dot(x - star.Position));
+    }
+    return sum < energy - 1e-12 * std::abs(energy);
+  });
+}
+
+bool VertexImprover::DrawInside(Index vertex, double weight)
+{
+  static thread_local Star star;
+  this->Gather(vertex, star);
+  this->GatherPulls(vertex, NearLimit * this->EnvelopeLimit, star);
+  const auto pullEnergy = [this, weight](double distance) {
+    const double excess = distance / this->EnvelopeLimit - DrawPullStart;
+    return excess > 0 ? weight * excess * excess : 0.0;
+  };
+  double energy = 0;
+  Vec3 gradient = Vec3::Zero();
+  Mat3 hessian = Mat3::Zero();
+  for (const Corner& corner : star.Corners)
+  {
+    Vec3 g;
+    Mat3 h;
+    corner.DistortionDerivatives(star.Position, g, h);
+    energy += corner.Distortion(star.Position);
+    gradient += g;
+    hessian += h;
+  }
+  for (const Pull& pull : star.Pulls)
+  {
+    const double excess = pull.Distance / this->EnvelopeLimit - DrawPullStart;
+    if (excess > 0)
+    {
+      const Vec3 g = pull.Gradient / this->EnvelopeLimit;
+      energy += pullEnergy(pull.Distance);
+      gradient += 2 * weight * excess * g;
+      hessian += 2 * weight * g * g.transpose();
+    }
+  }
+  Vec3 step = ModifiedNewtonStep(hessian, gradient);
+  const double length = step.norm();
+  if (!(length >= 1e-9 * star.Length))
+  {
+    return false;
+  }
+  step *= std::min(1.0, LongestStep * star.Shortest / length);
+  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+    double sum = 0;
+    for (const Corner& corner : star.Corners)
+    {
+      sum += corner.Distortion(x);
+    }
+    for (const Pull& pull : star.Pulls)
+    {
+      sum += pullEnergy(pull.Distance + pull.Gradient.dot(x - star.Position));
+    }
+    return sum < energy - 1e-12 * energy;
+  });
+}
+
+bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor)
+{
+  static thread_local Star star;
+  this->Gather(vertex, star);
+  if (this->Stars.OnBoundary(vertex))
+  {
+    star.Limit = std::max(star.Limit, this->Envelope.BoundAround(vertex) < 1e300
+        ? this->Envelope.BoundAround(vertex)
+        : 0.0);
+  }
+  double energy = 0;
+  Vec3 gradient = Vec3::Zero();
+  Mat3 hessian = Mat3::Zero();
+  for (const Corner& corner : star.Corners)
+  {
+    Vec3 g;
+    Mat3 h;
+    corner.DistortionDerivatives(star.Position, g, h);
+    energy += corner.Distortion(star.Position);
+    gradient += g;
+    hessian += h;
+  }
+  double weight = 0;
+  TrianglePoint anchor;
+  Vec3 normal = Vec3::Zero();
+  if (this->Stars.OnBoundary(vertex))
+  {
+    anchor = surface.Search().Closest(star.Position);
+    normal = surface.Search().Normal(anchor.Triangle);
+    weight = AveragePull * star.Corners.size() / (star.Length * star.Length);
+  }
+  const auto surfaceEnergy = [&](const Vec3& x) {
+    const double offset = weight > 0 ? normal.dot(x - anchor.Point) : 0.0;
+    return weight * offset * offset;
+  };
+  energy += surfaceEnergy(star.Position);
+  if (weight > 0)
+  {
+    gradient += 2 * weight * normal.dot(star.Position - anchor.Point) * normal;
+    hessian += 2 * weight * normal * normal.transpose();
+  }
+  Vec3 step = ModifiedNewtonStep(hessian, gradient);
+  const double length = step.norm();
+  if (!(length >= 1e-4 * star.Length))
+  {
+    return false;
+  }
+  step *= std::min(1.0, LongestStep * star.Shortest / length);
+  const double lowest = std::min(star.Least, floor) - 1e-12;
+  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+    double sum = surfaceEnergy(x);
+    for (const Corner& corner : star.Corners)
+    {
+      if (corner.ScaledJacobian(x) < lowest)
+      {
+        return false;
+      }
+      sum += corner.Distortion(x);
+    }
+    return sum < energy - 1e-12 * energy;
+  });
+}
+}

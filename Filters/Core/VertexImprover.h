@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Moves single vertices so that the worst scaled Jacobian round them rises, inside the tolerance.
+
+#ifndef featurehex_VertexImprover_h
+#define featurehex_VertexImprover_h
+
+#include "HexStars.h"
+#include "SurfaceEnvelope.h"
+
+namespace featurehex
+{
+/// Least corner scaled Jacobian of a hex; -1 when an edge has no length.
+double LeastScaledJacobian(const HexMesh& mesh, Index hex);
+
+/// Least of the 27 Bezier coefficients of the Jacobian determinant of a hex: positive means that the whole
+/// element is valid (Johnen, Weill, Remacle 2017).
+double LeastBezierCoefficient(const HexMesh& mesh, Index hex);
+
+/// Parameters of one barrier sweep (recipe-quality 2.4).
+struct BarrierParameters
+{
+  double Theta; ///< corners above it exert no force
+  double Floor; ///< no corner may fall below it ...
+  double Gap;   ///< ... nor by more than this where it is below already
+};
+
+/// The moves of recipe-quality 2 for one vertex. Hard checks on every accepted move: the Bezier coefficients
+/// of the touching hexes stay positive (or don't fall where they weren't), the ratio of shortest to longest edge
+/// at the vertex stays above 0.2 (or doesn't fall), and the boundary stays inside the envelope.
+/// Calls for vertices more than three hexes apart may run in parallel.
+class VertexImprover
+{
+public:
+  /// Keeps references. @a limit: largest sampled distance (model units) that a move may reach.
+  VertexImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit);
+
+  /// Raise the smallest scaled Jacobian round the vertex: steepest ascent of the minimum by a proximal bundle.
+  bool RaiseMinimum(Index vertex);
+
+  /// Newton step on a moving barrier over the corners below Theta.
+  bool PushBarrier(Index vertex, const BarrierParameters& parameters);
+
+  /// Newton step on the distortion, with quads beyond 0.9 of the limit drawn back with @a weight.
+  bool DrawInside(Index vertex, double weight);
+
+  /// Newton step on the distortion near the surface; corners stay above min(their value, floor).
+  bool RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor);
+
+  double Limit() const { return this->EnvelopeLimit; }
+
+  /// Are the hexes and quads round the vertices sound after a move? For moves of several vertices at once.
+  double EdgeRatio(Index vertex, const Vec3& position) const;
+
+private:
+  struct Corner;
+  struct Pull;
+  struct Star;
+
+  void Gather(Index vertex, Star& star) const;
+  void GatherPulls(Index vertex, double threshold, Star& star);
+  template <typename Accept>
+  bool Search(Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept);
+
+  HexMesh& Mesh;
+  const HexStars& Stars;
+  SurfaceEnvelope& Envelope;
+  double EnvelopeLimit;
+  std::vector<double> Lengths; ///< mean edge length at each vertex at the start
+};
+}
+
+#endif
