@@ -84,6 +84,23 @@ Status ReadFileBytes(const std::string& path, std::string& bytes)
   return {};
 }
 
+bool ReadFileHead(const std::string& path, std::string& bytes)
+{
+  bytes.clear();
+  std::error_code error;
+  if (!fs::is_regular_file(path, error))
+  {
+    return false;
+  }
+  FilePointer file(std::fopen(path.c_str(), "rb"));
+  if (file)
+  {
+    bytes.resize(1024);
+    bytes.resize(std::fread(bytes.data(), 1, bytes.size(), file.get()));
+  }
+  return file != nullptr;
+}
+
 std::string FileExtension(const std::string& path)
 {
   std::string extension = fs::path(path).extension().string();

@@ -21,6 +21,9 @@ constexpr unsigned long long MaximumFileSize = 1ull << 34;
 /// @return UnreadableFile: missing, a folder, a device, no permission, over MaximumFileSize.
 Status ReadFileBytes(const std::string& path, std::string& bytes);
 
+/// Up to the first 1024 bytes of a regular file; false: there is no such file. To see what it is.
+bool ReadFileHead(const std::string& path, std::string& bytes);
+
 /// Extension in lower case with its dot, ".stl"; empty without one.
 std::string FileExtension(const std::string& path);
 

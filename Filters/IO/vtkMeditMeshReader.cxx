@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeditMeshReader.h"
+
+#include "FileAccess.h"
+#include "GuardedVTKFiles.h"
+#include "MeditConversion.h"
+#include "TextScanner.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkMeditMeshReader);
+
+namespace
+{
+featurehex::Status ReadInto(const char* fileName, bool boundary, vtkUnstructuredGrid* output)
+{
+  if (!fileName || !*fileName)
+  {
+    return featurehex::NoFileName();
+  }
+  featurehex::MeditMesh mesh;
+  featurehex::Status status = featurehex::ReadMedit(fileName, mesh);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  featurehex::GridFromMedit(mesh, boundary, output);
+  if (output->GetNumberOfCells() == 0)
+  {
+    return featurehex::Status(featurehex::StatusCode::EmptySurface,
+      featurehex::FileBaseName(fileName) + ": the file has no hexahedra" +
+        (boundary ? " and no boundary elements." : ". BoundaryElements reads its other elements."));
+  }
+  return status;
+}
+} // namespace
+
+vtkMeditMeshReader::vtkMeditMeshReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMeditMeshReader::~vtkMeditMeshReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkMeditMeshReader::CanReadFile(const char* name)
+{
+  std::string head;
+  if (!name || !featurehex::ReadFileHead(name, head))
+  {
+    return 0;
+  }
+  std::string_view word;
+  featurehex::TextScanner scanner(head);
+  return scanner.Word(word) && word == "MeshVersionFormatted";
+}
+
+int vtkMeditMeshReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  const featurehex::Status status =
+    featurehex::Guarded([&] { return ReadInto(this->FileName, this->BoundaryElements, output); });
+  this->SetErrorCode(featurehex::ErrorCodeOf(status));
+  if (!status.Ok())
+  {
+    output->Initialize();
+    vtkErrorMacro(<< status.Message);
+    return 0;
+  }
+  return 1;
+}
+
+void vtkMeditMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "BoundaryElements: " << (this->BoundaryElements ? "on" : "off") << "\n";
+}
