@@ -62,12 +62,12 @@ std::size_t LastLeafUpTo(const std::vector<BlockKey>& leaves, BlockKey key)
   const BlockKey last = key | LevelMask;
   return std::upper_bound(leaves.begin(), leaves.end(), last) - leaves.begin() - 1;
 }
-}
+} // namespace
 
 BlockKey PackBlock(const Block& block, int depth)
 {
   return MortonCode(block.Index) << (3 * (depth - block.Level) + LevelBits) |
-    static_cast<std::uint64_t>(block.Level);
+         static_cast<std::uint64_t>(block.Level);
 }
 
 Block UnpackBlock(BlockKey key, int depth)
@@ -256,9 +256,8 @@ namespace
 {
 Status NotAnOctree(const std::string& why)
 {
-  return Status(StatusCode::InvalidMesh,
-    "The cells are not a balanced block octree: " + why +
-      ". Pass the output of the octree stage unchanged.");
+  return Status(StatusCode::InvalidMesh, "The cells are not a balanced block octree: " + why +
+                                           ". Pass the output of the octree stage unchanged.");
 }
 
 /// The block of each cell, and which of its eight cells it is.
@@ -272,7 +271,7 @@ Status CollectCells(const OctreeCells& cells, const BlockOctree& octree,
     if (level < 0 || level > octree.Depth)
     {
       return NotAnOctree("cell " + std::to_string(n) + " has level " + std::to_string(level) +
-        ", the depth is " + std::to_string(octree.Depth));
+                         ", the depth is " + std::to_string(octree.Depth));
     }
     const int shift = octree.Depth - level;
     Block block;
@@ -284,7 +283,7 @@ Status CollectCells(const OctreeCells& cells, const BlockOctree& octree,
       if (x < 0 || x >= 2 << MaximumBlockBits || (x & ((1 << shift) - 1)) != 0)
       {
         return NotAnOctree("cell " + std::to_string(n) + " has OctreeIndex " + std::to_string(x) +
-          ", which isn't a multiple of its size inside the grid");
+                           ", which isn't a multiple of its size inside the grid");
       }
       block.Index[k] = x >> (shift + 1);
       cell |= (x >> shift & 1) << k;
@@ -324,7 +323,7 @@ Status CheckTiling(BlockOctree& octree)
   }
   return volume == whole ? Status() : NotAnOctree("there are holes between them");
 }
-}
+} // namespace
 
 Status RebuildBlockOctree(const OctreeCells& cells, BlockOctree& octree)
 {
@@ -332,12 +331,12 @@ Status RebuildBlockOctree(const OctreeCells& cells, BlockOctree& octree)
   if (cells.Level.empty() || cells.Level.size() != cells.OctreeIndex.size())
   {
     return NotAnOctree(std::to_string(cells.Level.size()) + " levels for " +
-      std::to_string(cells.OctreeIndex.size()) + " cells");
+                       std::to_string(cells.OctreeIndex.size()) + " cells");
   }
   if (octree.Depth < 0 || octree.Depth > MaximumBlockBits || !(octree.FinestCellSize > 0) ||
-    !std::isfinite(octree.FinestCellSize) || !octree.Origin.allFinite() ||
-    !((octree.Axes.transpose() * octree.Axes - Mat3::Identity()).norm() < 1e-9) ||
-    !(octree.Axes.determinant() > 0))
+      !std::isfinite(octree.FinestCellSize) || !octree.Origin.allFinite() ||
+      !((octree.Axes.transpose() * octree.Axes - Mat3::Identity()).norm() < 1e-9) ||
+      !(octree.Axes.determinant() > 0))
   {
     return NotAnOctree("origin, axes, finest cell size or depth are out of range");
   }
@@ -349,18 +348,16 @@ Status RebuildBlockOctree(const OctreeCells& cells, BlockOctree& octree)
   }
   for (std::size_t n = 0; n < blocks.size(); ++n)
   {
-    if (blocks[n].second != static_cast<int>(n % 8) || blocks[n].first != blocks[n - n % 8].first)
+    const std::size_t first = n - n % 8;
+    if (first + 8 > blocks.size() || blocks[n].second != static_cast<int>(n % 8) ||
+        blocks[n].first != blocks[first].first)
     {
       return NotAnOctree("a block of 2x2x2 cells lacks one or has one twice");
     }
-    if (n % 8 == 0)
-    {
-      octree.Leaves.push_back(blocks[n].first);
-    }
   }
-  if (blocks.size() % 8 != 0)
+  for (std::size_t n = 0; n < blocks.size(); n += 8)
   {
-    return NotAnOctree("a block of 2x2x2 cells lacks one");
+    octree.Leaves.push_back(blocks[n].first);
   }
   status = CheckTiling(octree);
   if (status.Ok() && !IsBalanced(octree))
@@ -373,4 +370,4 @@ Status RebuildBlockOctree(const OctreeCells& cells, BlockOctree& octree)
   }
   return status;
 }
-}
+} // namespace featurehex

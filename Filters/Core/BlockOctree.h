@@ -3,8 +3,9 @@
 /// Strongly balanced octree around a surface whose leaves are blocks of 2x2x2 equal cells.
 ///
 /// Splitting whole blocks only is the *pairing* rule of X. Gao, H. Shen, D. Panozzo, "Feature
-/// Preserving Octree-Based Hexahedral Meshing", Computer Graphics Forum 38(5), 2019, DOI
-/// 10.1111/cgf.13795: with it the dual of the octree needs four local cases only (OctreeDual.h).
+/// Preserving Octree-Based Hexahedral Meshing", Computer Graphics Forum 38(5), 2019,
+/// doi:10.1111/cgf.13795: with it the dual of the octree needs four local cases only
+/// (OctreeDual.h).
 
 #ifndef featurehex_BlockOctree_h
 #define featurehex_BlockOctree_h
@@ -32,7 +33,8 @@ struct Block
 /// leaf that contains a point is the last one whose key isn't beyond the point's.
 using BlockKey = std::uint64_t;
 
-/// A grid may have at most 2^19 finest blocks along an axis: three of them and the level fill a key.
+/// A grid may have at most 2^19 finest blocks along an axis: three of them and the level fill a
+/// key.
 constexpr int MaximumBlockBits = 19;
 
 BlockKey PackBlock(const Block& block, int depth);
@@ -41,13 +43,13 @@ Block UnpackBlock(BlockKey key, int depth);
 /// The octree. Local coordinates are counted in finest cells from Origin along Axes.
 struct BlockOctree
 {
-  Vec3 Origin = Vec3::Zero();      ///< lowest corner of the root grid, model space
-  Mat3 Axes = Mat3::Identity();    ///< columns: unit axes of the grid in model space, right-handed
-  double FinestCellSize = 1.0;     ///< edge of a cell at level Depth, model units
-  int Depth = 0;                   ///< level of the finest leaves
-  int BaseLevel = 0;               ///< level whose cells have the target edge length
+  Vec3 Origin = Vec3::Zero();   ///< lowest corner of the root grid, model space
+  Mat3 Axes = Mat3::Identity(); ///< columns: unit axes of the grid in model space, right-handed
+  double FinestCellSize = 1.0;  ///< edge of a cell at level Depth, model units
+  int Depth = 0;                ///< level of the finest leaves
+  int BaseLevel = 0;            ///< level whose cells have the target edge length
   std::array<int, 3> RootBlocks = { 0, 0, 0 };
-  std::vector<BlockKey> Leaves;    ///< sorted; together they tile the root grid
+  std::vector<BlockKey> Leaves; ///< sorted; together they tile the root grid
 
   Block Leaf(std::size_t leaf) const { return UnpackBlock(this->Leaves[leaf], this->Depth); }
 
@@ -81,7 +83,8 @@ struct OctreeOptions
   int MaximumLevel = 3;
   /// BuildBlockOctree() stops with CellLimit before it makes more cells than this, 1 to 10^9.
   std::int64_t MaximumNumberOfCells = 20000000;
-  /// Turn the grid into the principal axes of the surface when its box is at least 1 % smaller there.
+  /// Turn the grid into the principal axes of the surface when its box is at least 1 % smaller
+  /// there.
   bool AlignToPrincipalAxes = false;
   /// Target cells between the surface's box and the border of the root grid, at least 2.
   int MarginCells = 2;
@@ -116,11 +119,11 @@ OctreePrediction PredictOctree(const SurfaceMesh& surface,
 
 /// Build the octree: root grid centred on the surface, blocks that meet the surface split until
 /// their cells have the target edge length, then refinement points, then strong balance (blocks
-/// that share a face, an edge or a vertex differ by at most one level). The result doesn't depend on
-/// the order of triangles or points. @a prediction may be null.
+/// that share a face, an edge or a vertex differ by at most one level). The result doesn't depend
+/// on the order of triangles or points. @a prediction may be null.
 ///
-/// Errors: InvalidOption, EmptySurface, NonFinite, IndexOutOfRange, CellLimit; what @a monitor says.
-/// Cost: O(triangles x levels + blocks); 12 bytes of memory a block while building, 8 after.
+/// Errors: InvalidOption, EmptySurface, NonFinite, IndexOutOfRange, CellLimit; what @a monitor
+/// says. Cost: O(triangles x levels + blocks); 12 bytes of memory a block while building, 8 after.
 Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<RefinementPoint>& points,
   const OctreeOptions& options, BlockOctree& octree, OctreePrediction* prediction,
   Monitor& monitor);
@@ -134,7 +137,8 @@ public:
   /// Results of Find() that are not an equal leaf.
   static constexpr std::int32_t Outside = -1; ///< beyond the root grid
   static constexpr std::int32_t Finer = -2;   ///< the position is split further
-  static constexpr std::int32_t Coarser = -3; ///< Coarser - n: part of the leaf n, one level coarser
+  static constexpr std::int32_t Coarser =
+    -3; ///< Coarser - n: part of the leaf n, one level coarser
 
   /// What is at a block position of a balanced octree next to a leaf of the same level.
   std::int32_t Find(const Block& block) const;
@@ -167,6 +171,6 @@ OctreeCells ListOctreeCells(const BlockOctree& octree);
 /// Rebuild RootBlocks and Leaves from cells in any order. The caller has set Origin, Axes,
 /// FinestCellSize, Depth and BaseLevel. InvalidMesh when the cells aren't a balanced block octree.
 Status RebuildBlockOctree(const OctreeCells& cells, BlockOctree& octree);
-}
+} // namespace featurehex
 
 #endif

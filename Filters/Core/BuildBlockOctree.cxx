@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockOctree.h"
 
+#include "BlockTree.h"
 #include "TriangleBoxOverlap.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,8 +16,6 @@ namespace featurehex
 {
 namespace
 {
-using BlockIndex = std::array<int, 3>;
-
 /// Hexes of the dual for each octree cell: 1.14 to 1.31 on scans at 26 to 200 cells a side.
 constexpr double HexesPerCell = 1.25;
 
@@ -25,13 +24,6 @@ std::string Number(double value)
   char text[32];
   std::snprintf(text, sizeof(text), "%.6g", value);
   return text;
-}
-
-Block ChildBlock(const Block& block, int child)
-{
-  return { block.Level + 1,
-    { 2 * block.Index[0] + (child & 1), 2 * block.Index[1] + (child >> 1 & 1),
-      2 * block.Index[2] + (child >> 2) } };
 }
 
 /// Root grid and local coordinates counted in target edge lengths, in which every block
@@ -110,13 +102,13 @@ Status CheckInput(const SurfaceMesh& surface, const std::vector<RefinementPoint>
 {
   if (!(options.TargetEdgeLength > 0) || !std::isfinite(options.TargetEdgeLength))
   {
-    return Status(StatusCode::InvalidOption,
-      "TargetEdgeLength is " + Number(options.TargetEdgeLength) +
-        "; the octree needs a positive length in model units.");
+    return Status(
+      StatusCode::InvalidOption, "TargetEdgeLength is " + Number(options.TargetEdgeLength) +
+                                   "; the octree needs a positive length in model units.");
   }
   if (options.MaximumLevel < 0 || options.MaximumLevel > 12 || options.CoarseLevels < 0 ||
-    options.CoarseLevels > 12 || options.MarginCells < 2 || options.MaximumNumberOfCells < 1 ||
-    options.MaximumNumberOfCells > 1000000000)
+      options.CoarseLevels > 12 || options.MarginCells < 2 || options.MaximumNumberOfCells < 1 ||
+      options.MaximumNumberOfCells > 1000000000)
   {
     return Status(StatusCode::InvalidOption,
       "Octree options out of range: MaximumLevel " + std::to_string(options.MaximumLevel) +
@@ -127,7 +119,8 @@ Status CheckInput(const SurfaceMesh& surface, const std::vector<RefinementPoint>
   }
   if (surface.Triangles.empty())
   {
-    return Status(StatusCode::EmptySurface, "The surface has no triangles to build an octree from.");
+    return Status(
+      StatusCode::EmptySurface, "The surface has no triangles to build an octree from.");
   }
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
@@ -192,8 +185,7 @@ int AbsoluteLevel(const RefinementPoint& point, const OctreeOptions& options)
 }
 
 OctreePrediction PredictInFrame(const SurfaceMesh& surface,
-  const std::vector<RefinementPoint>& points, const OctreeOptions& options,
-  const RootFrame& frame)
+  const std::vector<RefinementPoint>& points, const OctreeOptions& options, const RootFrame& frame)
 {
   double projected = 0;
   for (const Triangle& t : surface.Triangles)
@@ -210,8 +202,8 @@ OctreePrediction PredictInFrame(const SurfaceMesh& surface,
     // times its size (each level adds half a block to what the level below needs).
     const double size = frame.BlockSize(level);
     const double reach = 3 - std::ldexp(2.0, level - (frame.BaseLevel - 1));
-    leaves += 7 *
-      std::min(reach * projected / (size * size) + 1, frame.Blocks() * std::pow(8.0, level));
+    leaves +=
+      7 * std::min(reach * projected / (size * size) + 1, frame.Blocks() * std::pow(8.0, level));
   }
   for (const RefinementPoint& point : points)
   {
@@ -233,150 +225,6 @@ Status CellLimitStatus(const OctreePrediction& prediction, const OctreeOptions& 
       ". Raise TargetEdgeLength (now " + Number(options.TargetEdgeLength) +
       ") or MaximumNumberOfCells, or ask for less refinement.");
 }
-
-/// The octree while it grows: nodes with eight consecutive children, no other links.
-class BlockTree
-{
-public:
-  BlockTree(const BlockIndex& roots, std::int64_t maximumLeaves)
-    : Roots(roots)
-    , FirstChild(static_cast<std::size_t>(roots[0]) * roots[1] * roots[2], -1)
-    , Leaves(static_cast<std::int64_t>(FirstChild.size()))
-    , MaximumLeaves(maximumLeaves)
-  {
-  }
-
-  /// False as soon as a split was refused; the tree is then incomplete.
-  bool WithinLimit() const { return this->Leaves <= this->MaximumLeaves; }
-  std::int64_t NumberOfLeaves() const { return this->Leaves; }
-
-  /// Number of levels that hold split blocks = level of the finest leaves.
-  int Depth() const { return static_cast<int>(this->SplitBlocks.size()); }
-
-  std::int32_t Root(const BlockIndex& index) const
-  {
-    return index[0] + this->Roots[0] * (index[1] + this->Roots[1] * index[2]);
-  }
-  std::int32_t Child(std::int32_t node) const { return this->FirstChild[node]; }
-
-  /// First of the eight children of a block, made if necessary; -1 beyond the limit.
-  std::int32_t Split(std::int32_t node, int level, const BlockIndex& index)
-  {
-    if (this->FirstChild[node] < 0)
-    {
-      this->Leaves += 7;
-      if (!this->WithinLimit())
-      {
-        return -1;
-      }
-      this->FirstChild[node] = static_cast<std::int32_t>(this->FirstChild.size());
-      this->FirstChild.resize(this->FirstChild.size() + 8, -1);
-      if (level >= this->Depth())
-      {
-        this->SplitBlocks.resize(level + 1);
-      }
-      this->SplitBlocks[level].push_back(index);
-    }
-    return this->FirstChild[node];
-  }
-
-  /// Node of a block inside the root grid, made by splitting its ancestors; -1 beyond the limit.
-  std::int32_t Ensure(int level, const BlockIndex& index)
-  {
-    BlockIndex at = { index[0] >> level, index[1] >> level, index[2] >> level };
-    std::int32_t node = this->Root(at);
-    for (int l = 0; l < level; ++l)
-    {
-      node = this->Split(node, l, at);
-      if (node < 0)
-      {
-        return -1;
-      }
-      const int down = level - l - 1;
-      at = { index[0] >> down, index[1] >> down, index[2] >> down };
-      node += (at[0] & 1) | (at[1] & 1) << 1 | (at[2] & 1) << 2;
-    }
-    return node;
-  }
-
-  bool Inside(int level, const BlockIndex& index) const
-  {
-    return index[0] >= 0 && index[1] >= 0 && index[2] >= 0 && index[0] < this->Roots[0] << level &&
-      index[1] < this->Roots[1] << level && index[2] < this->Roots[2] << level;
-  }
-
-  /// Strong balance. Two leaves that touch differ by two levels exactly when some split block has a
-  /// neighbour position of its own size that doesn't exist as a block, so it is enough to make
-  /// the 26 neighbours of all split blocks, from the finest level to the coarsest.
-  bool Balance(Monitor& monitor)
-  {
-    for (int level = this->Depth() - 1; level > 0; --level)
-    {
-      for (std::size_t n = 0; n < this->SplitBlocks[level].size(); ++n)
-      {
-        if (n % 65536 == 0 && !monitor.Update(0.9))
-        {
-          return false;
-        }
-        const BlockIndex c = this->SplitBlocks[level][n];
-        for (int d = 0; d < 27; ++d)
-        {
-          const BlockIndex at = { c[0] + d % 3 - 1, c[1] + d / 3 % 3 - 1, c[2] + d / 9 - 1 };
-          if (this->Inside(level, at) && this->Ensure(level, at) < 0)
-          {
-            return false;
-          }
-        }
-      }
-    }
-    return true;
-  }
-
-  std::vector<BlockKey> SortedLeaves(int depth) const
-  {
-    std::vector<std::pair<BlockKey, BlockIndex>> roots; // along the Z curve
-    for (int z = 0; z < this->Roots[2]; ++z)
-    {
-      for (int y = 0; y < this->Roots[1]; ++y)
-      {
-        for (int x = 0; x < this->Roots[0]; ++x)
-        {
-          roots.emplace_back(PackBlock({ 0, { x, y, z } }, depth), BlockIndex{ x, y, z });
-        }
-      }
-    }
-    std::sort(roots.begin(), roots.end());
-    std::vector<BlockKey> leaves;
-    leaves.reserve(static_cast<std::size_t>(this->Leaves));
-    for (const auto& root : roots)
-    {
-      this->Append(this->Root(root.second), { 0, root.second }, depth, leaves);
-    }
-    return leaves;
-  }
-
-private:
-  void Append(
-    std::int32_t node, const Block& block, int depth, std::vector<BlockKey>& leaves) const
-  {
-    const std::int32_t first = this->FirstChild[node];
-    if (first < 0)
-    {
-      leaves.push_back(PackBlock(block, depth));
-      return;
-    }
-    for (int child = 0; child < 8; ++child)
-    {
-      this->Append(first + child, ChildBlock(block, child), depth, leaves);
-    }
-  }
-
-  BlockIndex Roots;
-  std::vector<std::int32_t> FirstChild;
-  std::int64_t Leaves;
-  std::int64_t MaximumLeaves;
-  std::vector<std::vector<BlockIndex>> SplitBlocks;
-};
 
 /// Splits the blocks that meet the surface, top down with lists of the triangles in each block.
 class SurfaceSplitter
@@ -429,14 +277,13 @@ private:
   {
     const double size = this->Frame.BlockSize(level);
     const Triangle& t = this->Triangles[triangle];
-    const Vec3 center(
-      (block[0] + 0.5) * size, (block[1] + 0.5) * size, (block[2] + 0.5) * size);
-    return TriangleBoxOverlap(center, Vec3::Constant(size / 2), this->Points[t[0]],
-      this->Points[t[1]], this->Points[t[2]]);
+    const Vec3 center((block[0] + 0.5) * size, (block[1] + 0.5) * size, (block[2] + 0.5) * size);
+    return TriangleBoxOverlap(
+      center, Vec3::Constant(size / 2), this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
   }
 
-  void DistributeToRoots(Index triangle, const BlockIndex& roots,
-    std::vector<std::pair<BlockIndex, Index>>& pairs) const
+  void DistributeToRoots(
+    Index triangle, const BlockIndex& roots, std::vector<std::pair<BlockIndex, Index>>& pairs) const
   {
     const Triangle& t = this->Triangles[triangle];
     const double size = this->Frame.BlockSize(0);
@@ -517,8 +364,8 @@ private:
 
 /// Split every block coarser than the wanted level that a box of one parent cell (two wanted cells)
 /// each way around the point touches. A union of such sets: the order of the points has no effect.
-bool SplitAtPoint(const Vec3& local, int level, const RootFrame& frame, const BlockIndex& roots,
-  BlockTree& tree)
+bool SplitAtPoint(
+  const Vec3& local, int level, const RootFrame& frame, const BlockIndex& roots, BlockTree& tree)
 {
   const double radius = frame.BlockSize(level);
   for (int l = 0; l < level; ++l)
@@ -550,7 +397,7 @@ bool SplitAtPoint(const Vec3& local, int level, const RootFrame& frame, const Bl
   }
   return true;
 }
-}
+} // namespace
 
 OctreePrediction PredictOctree(const SurfaceMesh& surface,
   const std::vector<RefinementPoint>& points, const OctreeOptions& options)
@@ -563,8 +410,7 @@ OctreePrediction PredictOctree(const SurfaceMesh& surface,
 }
 
 Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<RefinementPoint>& points,
-  const OctreeOptions& options, BlockOctree& octree, OctreePrediction* prediction,
-  Monitor& monitor)
+  const OctreeOptions& options, BlockOctree& octree, OctreePrediction* prediction, Monitor& monitor)
 {
   octree = BlockOctree();
   Status status = CheckInput(surface, points, options);
@@ -585,7 +431,7 @@ Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<Refinement
   }
   const double longest = std::max({ frame.Count[0], frame.Count[1], frame.Count[2] });
   if (!(8 * frame.Blocks() <= static_cast<double>(options.MaximumNumberOfCells)) ||
-    std::ldexp(longest, finest) > std::ldexp(1.0, MaximumBlockBits))
+      std::ldexp(longest, finest) > std::ldexp(1.0, MaximumBlockBits))
   {
     return CellLimitStatus(predicted, options);
   }
@@ -597,8 +443,8 @@ Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<Refinement
   for (std::size_t n = 0; n < points.size() && complete; ++n)
   {
     complete = (n % 1024 != 0 || monitor.Update(0.8)) &&
-      SplitAtPoint(frame.ToLocal(points[n].Position), AbsoluteLevel(points[n], options), frame,
-        roots, tree);
+               SplitAtPoint(frame.ToLocal(points[n].Position), AbsoluteLevel(points[n], options),
+                 frame, roots, tree);
   }
   complete = complete && tree.Balance(monitor);
   if (!complete)
@@ -621,4 +467,4 @@ Status BuildBlockOctree(const SurfaceMesh& surface, const std::vector<Refinement
   }
   return monitor.Update(1.0) ? Status() : monitor.StopStatus();
 }
-}
+} // namespace featurehex

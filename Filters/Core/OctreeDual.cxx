@@ -12,8 +12,8 @@ namespace featurehex
 {
 namespace
 {
-/// The cells of a block are numbered x + 2 y + 4 z, its faces 2 axis + side, its edges 4 axis + u + 2 w,
-/// where u and w are the sides along the two axes that follow.
+/// The cells of a block are numbered x + 2 y + 4 z, its faces 2 axis + side, its edges 4 axis + u +
+/// 2 w, where u and w are the sides along the two axes that follow.
 int FaceNeighbor(int axis, int side)
 {
   constexpr int stride[3] = { 1, 3, 9 };
@@ -64,11 +64,13 @@ public:
   /// Neighbours, vertex and hex numbers of all blocks.
   bool Plan(Monitor& monitor)
   {
-    const bool complete = this->ForAllBlocks(monitor, 0.0, 0.5, [this](std::size_t leaf) {
-      std::int32_t* neighbors = &this->Neighbors[27 * leaf];
-      this->Locator.FindNeighbors(leaf, neighbors);
-      this->PlanBlock(leaf, neighbors);
-    });
+    const bool complete = this->ForAllBlocks(monitor, 0.0, 0.5,
+      [this](std::size_t leaf)
+      {
+        std::int32_t* neighbors = &this->Neighbors[27 * leaf];
+        this->Locator.FindNeighbors(leaf, neighbors);
+        this->PlanBlock(leaf, neighbors);
+      });
     for (std::size_t leaf = 0; leaf < this->Plans.size() && complete; ++leaf)
     {
       BlockPlan& plan = this->Plans[leaf];
@@ -76,8 +78,7 @@ public:
       plan.FirstHex = this->Hexes;
       plan.FirstVertex = static_cast<Index>(this->Vertices);
       this->Hexes += hexes;
-      this->Vertices +=
-        8 + 2 * CountBits(plan.SplitEdges) + 4 * CountBits(plan.FineFaces);
+      this->Vertices += 8 + 2 * CountBits(plan.SplitEdges) + 4 * CountBits(plan.FineFaces);
     }
     return complete;
   }
@@ -97,10 +98,12 @@ public:
       arrays->HexKind.resize(mesh.Hexes.size());
       arrays->PointOctreeIndex.resize(mesh.Points.size());
     }
-    return this->ForAllBlocks(monitor, 0.5, 1.0, [this](std::size_t leaf) {
-      this->FillVertices(leaf);
-      this->FillHexes(leaf);
-    });
+    return this->ForAllBlocks(monitor, 0.5, 1.0,
+      [this](std::size_t leaf)
+      {
+        this->FillVertices(leaf);
+        this->FillHexes(leaf);
+      });
   }
 
 private:
@@ -115,15 +118,16 @@ private:
       {
         return false;
       }
-      ParallelFor(std::min(batch, count - begin), 1024,
-        [begin, &body](std::size_t n) { body(begin + n); });
+      ParallelFor(
+        std::min(batch, count - begin), 1024, [begin, &body](std::size_t n) { body(begin + n); });
     }
     return monitor.Update(to);
   }
 
   // ---- who is where
 
-  /// The four columns round an edge of a block as neighbour positions; this block's own is returned.
+  /// The four columns round an edge of a block as neighbour positions; this block's own is
+  /// returned.
   static int ColumnsAtEdge(int axis, int uSide, int wSide, int positions[4])
   {
     constexpr int stride[3] = { 1, 3, 9 };
@@ -150,7 +154,7 @@ private:
     {
       const std::int32_t found = neighbors[positions[q]];
       if (found == BlockLocator::Outside || found <= BlockLocator::Coarser ||
-        (found >= 0 && q < own))
+          (found >= 0 && q < own))
       {
         return 0;
       }
@@ -225,7 +229,7 @@ private:
       return true;
     }
     return neighbors[uFace] >= 0 && neighbors[wFace] >= 0 &&
-      neighbors[uFace + wFace - 13] == BlockLocator::Finer;
+           neighbors[uFace + wFace - 13] == BlockLocator::Finer;
   }
 
   // ---- vertex numbers
@@ -245,7 +249,7 @@ private:
   {
     const BlockPlan& plan = this->Plans[leaf];
     return plan.FirstVertex + 8 + 2 * CountBits(plan.SplitEdges) +
-      4 * CountBits(plan.FineFaces & ((1u << face) - 1)) + number;
+           4 * CountBits(plan.FineFaces & ((1u << face) - 1)) + number;
   }
 
   /// One of the eight children of the block position @a at, of which one is known to be a leaf.
@@ -319,8 +323,7 @@ private:
     }
   }
 
-  void FillSplitVertices(
-    std::size_t leaf, int edge, const std::array<int, 3>& low, int unit)
+  void FillSplitVertices(std::size_t leaf, int edge, const std::array<int, 3>& low, int unit)
   {
     const int axis = edge / 4;
     const int u = (axis + 1) % 3;
@@ -332,8 +335,8 @@ private:
     const bool uFine = fine >> (2 * u + sides[u]) & 1;
     const bool wFine = fine >> (2 * w + sides[w]) & 1;
     const dual::SplitPlacement& place = uFine && wFine ? dual::SplitBothFine
-      : uFine                                          ? dual::SplitFirstFine
-      : wFine                                          ? dual::SplitSecondFine
+                                        : uFine        ? dual::SplitFirstFine
+                                        : wFine        ? dual::SplitSecondFine
                                                        : dual::SplitConcave;
     const double s = 0.5 * unit;
     for (int end = 0; end < 2; ++end)
@@ -349,8 +352,7 @@ private:
     }
   }
 
-  void FillInteriorVertices(
-    std::size_t leaf, int face, const std::array<int, 3>& low, int unit)
+  void FillInteriorVertices(std::size_t leaf, int face, const std::array<int, 3>& low, int unit)
   {
     const FaceFrame frame(face);
     const double s = 0.5 * unit;
@@ -397,8 +399,8 @@ private:
     HexWriter out{ *this->Mesh, this->Arrays,
       static_cast<std::size_t>(this->Plans[leaf].FirstHex) };
     const Index v = this->Plans[leaf].FirstVertex;
-    out.Add({ v, v + 1, v + 3, v + 2, v + 4, v + 5, v + 7, v + 6 }, block.Level,
-      DualHexKind::Regular);
+    out.Add(
+      { v, v + 1, v + 3, v + 2, v + 4, v + 5, v + 7, v + 6 }, block.Level, DualHexKind::Regular);
     for (int face = 0; face < 6; ++face)
     {
       const std::int32_t found = neighbors[FaceNeighbor(face / 2, face % 2)];
@@ -583,7 +585,7 @@ private:
   HexMesh* Mesh = nullptr;
   OctreeDualArrays* Arrays = nullptr;
 };
-}
+} // namespace
 
 Status ConvertOctreeToHexes(
   const BlockOctree& octree, HexMesh& mesh, OctreeDualArrays* arrays, Monitor& monitor)
@@ -628,4 +630,4 @@ std::int64_t CountDualHexes(const BlockOctree& octree)
   DualBuilder builder(octree);
   return builder.Plan(monitor) ? builder.NumberOfHexes() : 0;
 }
-}
+} // namespace featurehex

@@ -32,13 +32,14 @@ inline bool TriangleBoxOverlap(
   for (int k = 0; k < 3; ++k)
   {
     if (std::min({ v[0][k], v[1][k], v[2][k] }) > size[k] ||
-      std::max({ v[0][k], v[1][k], v[2][k] }) < -size[k])
+        std::max({ v[0][k], v[1][k], v[2][k] }) < -size[k])
     {
       return false;
     }
   }
 
-  const auto separates = [&v, &size](const Vec3& axis) {
+  const auto separates = [&v, &size](const Vec3& axis)
+  {
     const double p[3] = { axis.dot(v[0]), axis.dot(v[1]), axis.dot(v[2]) };
     const double radius = axis.cwiseAbs().dot(size);
     return std::min({ p[0], p[1], p[2] }) > radius || std::max({ p[0], p[1], p[2] }) < -radius;
@@ -51,13 +52,13 @@ inline bool TriangleBoxOverlap(
   for (const Vec3& e : edge)
   {
     if (separates(Vec3(0, -e[2], e[1])) || separates(Vec3(e[2], 0, -e[0])) ||
-      separates(Vec3(-e[1], e[0], 0)))
+        separates(Vec3(-e[1], e[0], 0)))
     {
       return false;
     }
   }
   return true;
 }
-}
+} // namespace featurehex
 
 #endif

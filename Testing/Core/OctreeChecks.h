@@ -40,8 +40,10 @@ inline SurfaceMesh Sphere(const Vec3& center, double radius, int divisions)
 {
   SurfaceMesh mesh;
   std::map<std::tuple<int, int, int>, Index> ids;
-  const auto point = [&](int x, int y, int z) {
-    const auto found = ids.emplace(std::make_tuple(x, y, z), static_cast<Index>(mesh.Points.size()));
+  const auto point = [&](int x, int y, int z)
+  {
+    const auto found =
+      ids.emplace(std::make_tuple(x, y, z), static_cast<Index>(mesh.Points.size()));
     if (found.second)
     {
       mesh.Points.push_back(center + radius * Vec3(x, y, z).normalized());
@@ -52,7 +54,8 @@ inline SurfaceMesh Sphere(const Vec3& center, double radius, int divisions)
   {
     const int s[3] = { octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1 };
     const bool flip = s[0] * s[1] * s[2] < 0;
-    const auto add = [&](std::array<int, 2> a, std::array<int, 2> b, std::array<int, 2> c) {
+    const auto add = [&](std::array<int, 2> a, std::array<int, 2> b, std::array<int, 2> c)
+    {
       Triangle t;
       int n = 0;
       for (const auto& p : { a, b, c })
@@ -225,7 +228,8 @@ inline void ExpectConforming(
   ASSERT_EQ(std::count(used.begin(), used.end(), 0), 0);
   std::sort(faces.begin(), faces.end());
 
-  const auto bordersOf = [&](Index v) {
+  const auto bordersOf = [&](Index v)
+  {
     const std::array<int, 3>& index = arrays.PointOctreeIndex[v];
     const Vec3 center = octree.ToModel(Vec3(index[0], index[1], index[2]) + Vec3::Constant(0.5));
     const int level = octree.Leaf(octree.LeafAt(center)).Level;
@@ -234,8 +238,8 @@ inline void ExpectConforming(
     {
       sides |= index[k] == 0 ? 1u << 2 * k : 0u;
       sides |= index[k] + (1 << (octree.Depth - level)) == 2 * octree.RootBlocks[k] << octree.Depth
-        ? 2u << 2 * k
-        : 0u;
+                 ? 2u << 2 * k
+                 : 0u;
     }
     return sides;
   };
@@ -266,6 +270,6 @@ inline void ExpectConforming(
     begin = end;
   }
 }
-}
+} // namespace octreechecks
 
 #endif

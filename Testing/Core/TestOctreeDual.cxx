@@ -27,7 +27,7 @@ double CheckDual(const BlockOctree& octree)
   EXPECT_GE(smallest, PromisedScaledJacobian);
   return smallest;
 }
-}
+} // namespace
 
 TEST(OctreeDual, UniformBlocksGiveCubes)
 {
@@ -70,7 +70,8 @@ TEST(OctreeDual, AllTwoLevelNeighborhoods)
   std::cout << "smallest scaled Jacobian of 256 neighbourhoods: " << smallest << std::endl;
 }
 
-/// The same with fine surroundings: coarse blocks as islands, their edges and faces cut the other way.
+/// The same with fine surroundings: coarse blocks as islands, their edges and faces cut the other
+/// way.
 TEST(OctreeDual, AllTwoLevelNeighborhoodsInFineSurroundings)
 {
   double smallest = 1;
@@ -202,8 +203,8 @@ TEST(OctreeDual, EmptyOctreeIsAnError)
 {
   HexMesh mesh;
   Monitor monitor;
-  EXPECT_EQ(ConvertOctreeToHexes(BlockOctree(), mesh, nullptr, monitor).Code,
-    StatusCode::InvalidMesh);
+  EXPECT_EQ(
+    ConvertOctreeToHexes(BlockOctree(), mesh, nullptr, monitor).Code, StatusCode::InvalidMesh);
 }
 
 TEST(OctreeDual, StopsAtTimeLimit)
@@ -228,7 +229,7 @@ TEST(OctreeDual, ScansAndTiming)
     }
     SurfaceMesh surface;
     ASSERT_TRUE(ReadSurface(path, surface).Ok());
-    for (double parts : { 26.0, 200.0 })
+    for (double parts : { 26.0, 200.0, 320.0 })
     {
       OctreeOptions options;
       options.TargetEdgeLength = BoundingBox(surface).Size().maxCoeff() / parts;
@@ -247,10 +248,11 @@ TEST(OctreeDual, ScansAndTiming)
       const double octreeTime = std::chrono::duration<double>(built - start).count();
       const double dualTime = std::chrono::duration<double>(converted - built).count();
       std::cout << name << " / " << parts << ": " << surface.Triangles.size() << " triangles, "
-                << prediction.Cells << " cells (predicted " << before.Cells << ") in " << octreeTime << " s, " << mesh.Hexes.size()
-                << " hexes (estimated " << prediction.Hexes << ") in " << dualTime << " s, "
-                << mesh.Hexes.size() / dualTime / 1e6 << " million hexes per second, smallest SJ "
-                << SmallestScaledJacobian(mesh) << std::endl;
+                << prediction.Cells << " cells (predicted " << before.Cells << ") in " << octreeTime
+                << " s, " << mesh.Hexes.size() << " hexes (estimated " << prediction.Hexes
+                << ") in " << dualTime << " s, " << mesh.Hexes.size() / dualTime / 1e6
+                << " million hexes per second, smallest SJ " << SmallestScaledJacobian(mesh)
+                << std::endl;
       EXPECT_NEAR(static_cast<double>(prediction.Hexes) / mesh.Hexes.size(), 1.0, 0.3);
       if (parts < 100)
       {

@@ -2,23 +2,23 @@
 /// @file
 /// Templates of the dual between coarse and fine blocks, and where their new vertices go.
 ///
-/// A coarse block has 2x2x2 cells of edge 2s, its fine neighbours have cells of edge s; all lengths here
-/// are in units of s. The dual of an octree with leaf blocks has four kinds of cell: inside a block,
-/// at a block corner (both one hex whatever the levels), at a block face, at a block edge. Only the
-/// last two need new vertices, and only when levels differ.
+/// A coarse block has 2x2x2 cells of edge 2s, its fine neighbours have cells of edge s; all lengths
+/// here are in units of s. The dual of an octree with leaf blocks has four kinds of cell: inside a
+/// block, at a block corner (both one hex whatever the levels), at a block face, at a block edge.
+/// Only the last two need new vertices, and only when levels differ.
 ///
 /// Derivation. Across a face one coarse block meets 4 fine ones: 2x2 coarse centres ("tips") above
-/// 4x4 fine centres. A second 4x4 grid U is put over the fine centres B: its corners are the tips, the
-/// two middle positions of each side are *split vertices*, the four others new interior vertices.
-/// 9 hexes stand between B and U, 3 fill the valley over U lengthwise, 1 closes it: the 3D
-/// frustum of X. Gao, H. Shen, D. Panozzo, "Feature Preserving Octree-Based Hexahedral
-/// Meshing", Computer Graphics Forum 38(5), 2019. Split vertices belong to the *tip edge* (a
-/// block and one of its twelve edges), so that all templates round that edge share them. Then
-/// every coarse column at a block edge reads tip, split, split, tip: four entries, like a fine column,
-/// and three stacked hexes join the columns.
+/// 4x4 fine centres. A second 4x4 grid U is put over the fine centres B: its corners are the tips,
+/// the two middle positions of each side are *split vertices*, the four others new interior
+/// vertices. 9 hexes stand between B and U, 3 fill the valley over U lengthwise, 1 closes it: the
+/// 3D frustum of X. Gao, H. Shen, D. Panozzo, "Feature Preserving Octree-Based Hexahedral Meshing",
+/// Computer Graphics Forum 38(5), 2019, doi:10.1111/cgf.13795. Split vertices belong to the *tip
+/// edge* (a block and one of its twelve edges), so that all templates round that edge share them.
+/// Then every coarse column at a block edge reads tip, split, split, tip: four entries, like a fine
+/// column, and three stacked hexes join the columns.
 ///
-/// The coordinates maximise the smallest scaled Jacobian of the templates over all two-level
-/// neighbourhoods: 0.439 (TestOctreeDual enumerates them).
+/// With the coordinates below the smallest scaled Jacobian over all two-level neighbourhoods is
+/// 0.4386 (TestOctreeDual enumerates them).
 
 #ifndef featurehex_Tables_DualTemplates_h
 #define featurehex_Tables_DualTemplates_h
@@ -27,8 +27,9 @@ namespace featurehex
 {
 namespace dual
 {
-/// Vertices of the frustum: 0 to 15 the fine centres B(i, j) at i + 4 j, 16 to 31 the grid U(i, j) at
-/// 16 + i + 4 j. Right-handed local frame: x along i, y along j, z from the fine to the coarse side.
+/// Vertices of the frustum: 0 to 15 the fine centres B(i, j) at i + 4 j, 16 to 31 the grid U(i, j)
+/// at 16 + i + 4 j. Right-handed local frame: x along i, y along j, z from the fine to the coarse
+/// side.
 constexpr int FrustumVertices = 32;
 constexpr int FrustumHexCount = 13;
 
@@ -66,8 +67,8 @@ constexpr int FrustumHexes[FrustumHexCount][8] = {
 constexpr double InteriorAcross = 0.499;
 constexpr double InteriorDepth = 0.35;
 
-/// Place of the two split vertices of a tip edge: distance from the two faces of the coarse block that
-/// meet in the edge, and +-Along from the middle of the edge.
+/// Place of the two split vertices of a tip edge: distance from the two faces of the coarse block
+/// that meet in the edge, and +-Along from the middle of the edge.
 struct SplitPlacement
 {
   double FromFirst;
@@ -84,8 +85,9 @@ constexpr SplitPlacement SplitBothFine = { 0.514, 0.514, 0.344 };
 /// Concave edge: both face neighbours are coarse and the block diagonally opposite is fine.
 constexpr SplitPlacement SplitConcave = { 0.473, 0.473, 0.386 };
 
-/// The four columns round a block edge, counter-clockwise about its axis: whether the column lies on
-/// the low (0) or high (1) side of the edge along the first and the second axis after the edge's.
+/// The four columns round a block edge, counter-clockwise about its axis: whether the column lies
+/// on the low (0) or high (1) side of the edge along the first and the second axis after the
+/// edge's.
 constexpr int EdgeColumns[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
 
 /// Hexes at a block edge with coarse columns @a mask (bit q: column q): one when all are coarse,
@@ -105,7 +107,7 @@ static_assert(EdgeHexCount(0b0011) == 4, "flat: 3 stacked and 1 closing");
 static_assert(EdgeHexCount(0b0001) == 3, "convex: 3 stacked");
 static_assert(EdgeHexCount(0b0101) == 3, "diagonal: 3 stacked");
 static_assert(EdgeHexCount(0b0111) == 5, "concave: 3 stacked and 2 closing");
-}
-}
+} // namespace dual
+} // namespace featurehex
 
 #endif
