@@ -9,6 +9,7 @@
 
 #include "Types.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
