@@ -16,10 +16,16 @@ namespace
 constexpr int MaximumSubdivision = 256;
 
 constexpr int MaximumShrinks = 12;
-constexpr int MaximumClimbs = 24;
+constexpr int MaximumClimbs = 30;
 
-/// Relative accuracy of radii.
-constexpr double RadiusAccuracy = 1e-3;
+/// Radii are lower bounds; this much less than wanted is enough.
+constexpr double LevelTolerance = 0.97;
+
+/// A climb ends when steps of this fraction of the ball's radius no longer help.
+constexpr double ShortestStep = 0.01;
+
+/// Relative accuracy of radii: cells are chosen in factors of two.
+constexpr double RadiusAccuracy = 1e-2;
 
 /// Ids of the entries that are the first with their key, ascending.
 template <typename Key>
@@ -125,38 +131,31 @@ public:
   {
     double best = this->NearSample(ball) ? ball.Radius : 0.0;
     // Contacts of the last balls: where several are equally near, the distance has a crease.
-    std::vector<Vec3> contacts;
-    double step = this->FirstStep(ball);
-    for (int i = 0; i < MaximumClimbs && best < this->Wanted(); ++i)
+    std::vector<Vec3> contacts = { ball.Contact };
+    double step = this->LongestStep(ball);
+    for (int i = 0; i < MaximumClimbs && best < this->Wanted() && step > ShortestStep * ball.Radius;
+         ++i)
     {
-      contacts.push_back(ball.Contact);
       const Vec3 ascent = this->Ascent(ball, contacts, step);
       const double rate = ascent.norm();
       if (rate < 0.1)
       {
-        if (step < 0.02 * this->Options.MaximumRadius)
-        {
-          break;
-        }
-        step *= 0.5;
+        // Surrounded by contacts as far as this step goes.
+        step *= 0.4;
         continue;
       }
       const EmptyBall next =
         BallAt(this->Search, ball.Center + step / rate * ascent, ball.Triangle);
+      contacts.push_back(next.Contact);
       if (next.Radius > ball.Radius + 0.1 * rate * step && this->NearSample(next))
       {
         ball = next;
         best = std::max(best, ball.Radius);
-        step = this->FirstStep(ball);
+        step = std::min(2 * step, this->LongestStep(ball));
       }
       else
       {
-        contacts.push_back(next.Contact);
-        step *= 0.5;
-        if (step < 0.01 * this->Options.MaximumRadius)
-        {
-          break;
-        }
+        step *= 0.4;
       }
     }
     return std::min(best, this->Options.MaximumRadius);
@@ -167,12 +166,14 @@ public:
   bool NearSample(const EmptyBall& ball) const
   {
     const double slack = std::max(this->Options.Slack, this->Options.RelativeSlack * ball.Radius);
-    return (ball.Center - this->Sample).norm() - ball.Radius <= slack;
+    // The accuracy of the radius: a ball that touches the sample is near it without any slack.
+    return (ball.Center - this->Sample).norm() - ball.Radius <=
+      slack + 2 * RadiusAccuracy * ball.Radius;
   }
 
 private:
   /// Within the ball, so that the path can't cross the surface.
-  double FirstStep(const EmptyBall& ball) const
+  double LongestStep(const EmptyBall& ball) const
   {
     return std::min(0.9 * ball.Radius, 1.01 * this->Options.MaximumRadius - ball.Radius);
   }
@@ -218,7 +219,7 @@ int NeededLevel(
     clearance.RelativeSlack = options.RelativeSlack;
     const double radius = ClearanceRadius(search, sample, side, clearance);
     while (level < options.MaximumSizingLevel &&
-      radius < (1 - RadiusAccuracy) * WantedRadius(options, cells, level))
+      radius < LevelTolerance * WantedRadius(options, cells, level))
     {
       ++level;
     }

@@ -40,7 +40,9 @@ struct ClearanceOptions
 {
   double MaximumRadius = 0.0; ///< model units; larger balls are not looked for
   double Slack = 0.0;         ///< model units: how far the ball may stay away from the sample
-  double RelativeSlack = 0.4; ///< the same as a fraction of the ball's radius
+  /// The same as a fraction of the ball's radius. A ball reaches the edges of a cube to 0.414, its
+  /// corners to 0.732 of its radius: with the default no right angle counts as thin.
+  double RelativeSlack = 0.75;
 };
 
 /// Radius of the largest ball on one side of the surface that the surface doesn't cut and that comes
@@ -50,7 +52,7 @@ struct ClearanceOptions
 /// The first ball is the shrinking ball of J. Ma, S. Bae, S. Choi, "3D medial axis point approximation
 /// using nearest neighbors and the normal field", The Visual Computer 28, 2012,
 /// doi:10.1007/s00371-011-0594-7; from there the centre climbs the distance field in steps that stay in
-/// the current ball, so it can't pass through the surface. A lower bound: the climb may stop early.
+/// the current ball, so it can't pass through the surface. A lower bound, a few percent short at most where the surface is no maze: the climb may stop early.
 double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
   const ClearanceOptions& options);
 
@@ -58,7 +60,7 @@ struct SizingOptions
 {
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0
   double Slack = 0.0;            ///< model units, usually the tolerance
-  double RelativeSlack = 0.4;    ///< as in ClearanceOptions
+  double RelativeSlack = 0.75;   ///< as in ClearanceOptions; smaller: finer cells at ridges
   double CellsPerThickness = 1.5; ///< at least this many cells across the solid
   double CellsPerGap = 1.0;       ///< and across gaps
   int MaximumSizingLevel = 2;     ///< at most this many halvings
