@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceCheck.h"
 
+#include "BoxTree.h"
 #include "ExactPredicates.h"
 #include "SelfIntersection.h"
 #include "SurfaceFlaws.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace featurehex
@@ -45,6 +47,7 @@ private:
   Status Orient();
   Status CheckVolumes();
   Status CheckIntersections();
+  std::vector<Index> Around(Index component, const BoxTree& tree) const;
   Status Nest();
   void CountGenus();
 
@@ -80,8 +83,8 @@ void Checker::MergePoints()
   std::sort(order.begin(), order.end(),
     [this](Index a, Index b)
     {
-      const Vec3& p = this->Point(a);
-      const Vec3& q = this->Point(b);
+      const Vec3& p = this->Exact[a];
+      const Vec3& q = this->Exact[b];
       for (int k = 0; k < 3; ++k)
       {
         if (p[k] != q[k])
@@ -94,7 +97,7 @@ void Checker::MergePoints()
   this->Lowest.resize(count);
   for (std::size_t i = 0; i < count; ++i)
   {
-    const bool same = i > 0 && this->Point(order[i]) == this->Point(order[i - 1]);
+    const bool same = i > 0 && this->Exact[order[i]] == this->Exact[order[i - 1]];
     this->Lowest[order[i]] = same ? this->Lowest[order[i - 1]] : order[i];
   }
   this->Triangles = this->Input.Triangles;
@@ -284,9 +287,8 @@ Status Checker::Orient()
         else if (this->Reversed[n] != reversed)
         {
           return Status(StatusCode::NotOrientable,
-            "The surface is not orientable: it has no inside (as a Moebius strip or Klein bottle); "
-            "no consistent "
-            "orientation exists for triangles " +
+            "The surface is not orientable: it has no inside, as a Moebius strip; no "
+            "consistent orientation exists for triangles " +
               this->State().Name(t) + " and " + this->State().Name(n) + " at " +
               PlaceText(this->State().Center(t)) +
               ". Such a surface does not bound a body: check how it was stitched.",
@@ -360,84 +362,82 @@ Status Checker::CheckIntersections()
   {
     return this->Observer.StopStatus();
   }
-  if (pairs.empty())
-  {
-    return Status();
-  }
-  std::vector<Vec3> places;
-  for (const TrianglePair& pair : pairs)
-  {
-    this->State().AddPlace(places, IntersectionPlace(this->Input.Points, this->Triangles, pair));
-  }
-  std::string first;
-  for (std::size_t i = 0; i < pairs.size() && i < 3; ++i)
-  {
-    first += (i == 0 ? "" : ", ") + this->State().Name(pairs[i].First) + " and " +
-             this->State().Name(pairs[i].Second) + " near " +
-             PlaceText(IntersectionPlace(this->Input.Points, this->Triangles, pairs[i]));
-  }
-  return Status(StatusCode::SelfIntersection,
-    "Self-intersection: " + std::string(pairs.size() == limit ? "at least " : "") +
-      CountText(
-        pairs.size(), "pair of triangles crosses or touches", "pairs of triangles cross or touch") +
-      "; first, triangles " + first +
-      ". Unite overlapping bodies (Boolean union), or repair or remesh the surface there.",
-    std::move(places));
+  return pairs.empty() ? Status()
+                       : DescribeIntersections(this->State(), pairs, pairs.size() == limit);
 }
 
-/// Components don't touch, so one point of each decides.
+/// Components around one point of component @a c, ascending: those whose triangles the ray from
+/// there crosses an odd number of times. Components don't touch, so any point will do.
+std::vector<Index> Checker::Around(Index c, const BoxTree& tree) const
+{
+  Box ray;
+  const Vec3& p = this->Exact[this->Triangles[this->Members[this->FirstMember[c]]][0]];
+  ray.Extend(p);
+  ray.High[0] = std::numeric_limits<double>::max();
+  std::vector<Index> crossed;
+  tree.VisitBox(ray,
+    [&](Index id)
+    {
+      const Triangle& t = this->Triangles[id];
+      if (this->ComponentIds[id] != c &&
+          RayCrosses(p, this->Exact[t[0]], this->Exact[t[1]], this->Exact[t[2]]))
+      {
+        crossed.push_back(this->ComponentIds[id]);
+      }
+    });
+  std::sort(crossed.begin(), crossed.end());
+  std::vector<Index> around;
+  for (std::size_t i = 0; i < crossed.size();)
+  {
+    const auto end = std::upper_bound(crossed.begin() + i, crossed.end(), crossed[i]);
+    const std::size_t next = end - crossed.begin();
+    if ((next - i) % 2 == 1)
+    {
+      around.push_back(crossed[i]);
+    }
+    i = next;
+  }
+  return around;
+}
+
 Status Checker::Nest()
 {
   std::vector<SurfaceComponent>& components = this->Report.Components;
-  const std::size_t count = components.size();
-  std::vector<Box> boxes(count);
-  for (std::size_t c = 0; c < count; ++c)
+  const Index count = static_cast<Index>(components.size());
+  if (count > 1)
   {
-    for (Index i = this->FirstMember[c]; i < this->FirstMember[c + 1]; ++i)
+    const BoxTree tree(this->Exact, this->Triangles);
+    std::vector<std::vector<Index>> around(count);
+    for (Index c = 0; c < count; ++c)
     {
-      for (Index v : this->Triangles[this->Members[i]])
+      if (c % 1024 == 0 && !this->Observer.Update(1.0))
       {
-        boxes[c].Extend(this->Exact[v]);
+        return this->Observer.StopStatus();
+      }
+      around[c] = this->Around(c, tree);
+      components[c].Depth = static_cast<Index>(around[c].size());
+      components[c].Cavity = components[c].Depth % 2 == 1;
+    }
+    // The ones around a component are nested in each other: the deepest is the innermost.
+    for (Index c = 0; c < count; ++c)
+    {
+      for (Index other : around[c])
+      {
+        const Index parent = components[c].Parent;
+        if (parent < 0 || components[other].Depth > components[parent].Depth)
+        {
+          components[c].Parent = other;
+        }
       }
     }
   }
-  std::vector<std::vector<Index>> around(count);
-  for (std::size_t c = 0; c < count; ++c)
+  for (Index t = 0; t < static_cast<Index>(this->Triangles.size()); ++t)
   {
-    if (c % 64 == 0 && !this->Observer.Update(1.0))
-    {
-      return this->Observer.StopStatus();
-    }
-    const Vec3& p = this->Exact[this->Triangles[this->Members[this->FirstMember[c]]][0]];
-    for (std::size_t other = 0; other < count; ++other)
-    {
-      if (other != c && (boxes[other].Low.array() < boxes[c].Low.array()).all() &&
-          (boxes[other].High.array() > boxes[c].High.array()).all() &&
-          Surrounds(this->Exact, this->Triangles, &this->Members[this->FirstMember[other]],
-            this->Members.data() + this->FirstMember[other + 1], p))
-      {
-        around[c].push_back(static_cast<Index>(other));
-      }
-    }
-    components[c].Depth = static_cast<Index>(around[c].size());
-    components[c].Cavity = around[c].size() % 2 == 1;
+    this->Reversed[t] ^= static_cast<char>(components[this->ComponentIds[t]].Cavity);
   }
-  // The ones around a component are nested in each other: the deepest is the innermost.
-  for (std::size_t c = 0; c < count; ++c)
+  for (const SurfaceComponent& component : components)
   {
-    for (Index other : around[c])
-    {
-      if (components[c].Parent < 0 ||
-          components[other].Depth > components[components[c].Parent].Depth)
-      {
-        components[c].Parent = other;
-      }
-    }
-    for (Index i = this->FirstMember[c]; components[c].Cavity && i < this->FirstMember[c + 1]; ++i)
-    {
-      this->Reversed[this->Members[i]] ^= 1;
-    }
-    this->Report.Volume += components[c].Cavity ? -components[c].Volume : components[c].Volume;
+    this->Report.Volume += component.Cavity ? -component.Volume : component.Volume;
   }
   return Status();
 }
@@ -473,6 +473,7 @@ Status Checker::Run()
   {
     return status;
   }
+  this->Exact = PointsForPredicates(this->Input.Points);
   this->MergePoints();
   this->DropCollapsedTriangles();
   if (this->Triangles.empty())
@@ -489,7 +490,6 @@ Status Checker::Run()
     status = CheckEdges(this->State(), edges, this->Twin);
     this->Opposite = OppositeSides(edges);
   }
-  this->Exact = PointsForPredicates(this->Input.Points);
   using Step = Status (Checker::*)();
   constexpr Step steps[] = { &Checker::FlipDegenerateTriangles, &Checker::Orient,
     &Checker::CheckVolumes, &Checker::CheckIntersections, &Checker::Nest };

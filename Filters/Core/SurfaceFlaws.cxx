@@ -295,4 +295,28 @@ Status CheckFans(const CheckedSurface& surface, const std::vector<Index>& opposi
       ". Parts of the surface touch there in a point: move them apart or unite them.",
     std::move(places));
 }
+
+Status DescribeIntersections(
+  const CheckedSurface& surface, const std::vector<TrianglePair>& pairs, bool limited)
+{
+  std::vector<Vec3> places;
+  std::string first;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+  {
+    const Vec3 place = IntersectionPlace(surface.Points, surface.Triangles, pairs[i]);
+    surface.AddPlace(places, place);
+    if (i < 3)
+    {
+      first += (i == 0 ? "" : ", ") + surface.Name(pairs[i].First) + " and " +
+               surface.Name(pairs[i].Second) + " near " + PlaceText(place);
+    }
+  }
+  return Status(StatusCode::SelfIntersection,
+    std::string("Self-intersection: ") + (limited ? "at least " : "") +
+      CountText(
+        pairs.size(), "pair of triangles crosses or touches", "pairs of triangles cross or touch") +
+      "; first, triangles " + first +
+      ". Unite overlapping bodies (Boolean union), or repair or remesh the surface there.",
+    std::move(places));
+}
 } // namespace featurehex

@@ -6,6 +6,7 @@
 #ifndef featurehex_SurfaceFlaws_h
 #define featurehex_SurfaceFlaws_h
 
+#include "SelfIntersection.h"
 #include "Status.h"
 #include "SurfaceTopology.h"
 
@@ -52,6 +53,10 @@ Status CheckEdges(
 /// Every used point has one fan of triangles, else NonManifold.
 /// Precondition: every side has an opposite one.
 Status CheckFans(const CheckedSurface& surface, const std::vector<Index>& opposite);
+
+/// SelfIntersection for @a pairs, which isn't empty. @a limited: there may be more.
+Status DescribeIntersections(
+  const CheckedSurface& surface, const std::vector<TrianglePair>& pairs, bool limited);
 } // namespace featurehex
 
 #endif

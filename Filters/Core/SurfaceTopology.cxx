@@ -273,36 +273,15 @@ CollinearFlips FlipCollinearTriangles(
   return CollinearFlipper(points, triangles, opposite).Run();
 }
 
-/// Counts crossings of the ray from p along x. Moving p infinitesimally in y and z (simulation of
-/// simplicity) doesn't change the answer and avoids all special positions.
-bool Surrounds(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-  const Index* firstId, const Index* lastId, const Vec3& p)
+bool RayCrosses(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
-  bool inside = false;
-  for (const Index* id = firstId; id != lastId; ++id)
+  const int ab = PerturbedTurn(a, b, p);
+  if (ab == 0 || PerturbedTurn(b, c, p) != ab || PerturbedTurn(c, a, p) != ab)
   {
-    const Vec3& a = points[triangles[*id][0]];
-    const Vec3& b = points[triangles[*id][1]];
-    const Vec3& c = points[triangles[*id][2]];
-    if ((a[1] < p[1] && b[1] < p[1] && c[1] < p[1]) ||
-        (a[1] > p[1] && b[1] > p[1] && c[1] > p[1]) ||
-        (a[2] < p[2] && b[2] < p[2] && c[2] < p[2]) ||
-        (a[2] > p[2] && b[2] > p[2] && c[2] > p[2]) || (a[0] < p[0] && b[0] < p[0] && c[0] < p[0]))
-    {
-      continue;
-    }
-    const int ab = PerturbedTurn(a, b, p);
-    if (ab == 0 || PerturbedTurn(b, c, p) != ab || PerturbedTurn(c, a, p) != ab)
-    {
-      continue;
-    }
-    // Seen counter-clockwise in y and z, the normal points to larger x: p is left of the plane
-    // when it is on the other side of it.
-    if (Orient3D(a, b, c, p) * ab < 0)
-    {
-      inside = !inside;
-    }
+    return false;
   }
-  return inside;
+  // Seen counter-clockwise in y and z, the normal points to larger x: p is left of the plane when
+  // it is on the other side of it.
+  return Orient3D(a, b, c, p) * ab < 0;
 }
 } // namespace featurehex

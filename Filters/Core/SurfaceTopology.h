@@ -88,10 +88,11 @@ struct CollinearFlips
 CollinearFlips FlipCollinearTriangles(
   const std::vector<Vec3>& points, std::vector<Triangle>& triangles, std::vector<Index>& opposite);
 
-/// True when the closed surface made of the triangles @a ids surrounds @a p, which isn't on it.
-/// Exact; points within the range of ExactPredicates.h.
-bool Surrounds(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
-  const Index* firstId, const Index* lastId, const Vec3& p);
+/// True when the ray from @a p to infinity along x crosses the triangle. With p moved
+/// infinitesimally in y and z (simulation of simplicity), so that every ray crosses a closed
+/// surface an odd number of times exactly when p is inside; p must not be on the surface. Exact;
+/// points within the range of ExactPredicates.h.
+bool RayCrosses(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 } // namespace featurehex
 
 #endif

@@ -673,7 +673,8 @@ TEST(SurfaceCheck, RandomSoups)
       // A tetrahedron and noise.
       Append(s, { { Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(0, 3, 0), Vec3(1, 1, 3) },
                   { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } });
-      s.Triangles.erase(s.Triangles.begin(), s.Triangles.end() - 4 - generator() % 3);
+      s.Triangles.erase(s.Triangles.begin(),
+        s.Triangles.end() - std::min<std::size_t>(s.Triangles.size(), 4 + generator() % 3));
     }
     const Result r = Check(s);
     if (r.Status.Ok())
