@@ -21,7 +21,8 @@ constexpr double ValueGap = 0.01;
 
 /// Error of the triangles that stand for patches, fractions of the tolerance.
 constexpr double DecisionSplitError = 0.01;
-constexpr double ValueSplitError = 0.0025;
+constexpr double CoarseSplitError = 0.02;
+constexpr double FineSplitError = 0.0025;
 
 /// More triangles than this are not made of the patches; their error grows instead.
 constexpr double MaximumTargetTriangles = 1.5e6;
@@ -200,18 +201,21 @@ bool SampleElements(
         {
           p[k] = elements.Points[corner[k]];
         }
-        const int n = elements.Count(e) == 3 ? 1 : 3;
+        constexpr int n = 4;
+        const bool quad = elements.Count(e) == 4;
+        const int count = quad ? n * n : 3;
         double sum = 0.0;
-        for (int i = 0; i < n * n; ++i)
+        for (int i = 0; i < count; ++i)
         {
-          const Vec3 x = n == 1 ? Vec3((p[0] + p[1] + p[2]) / 3.0)
-                                : Bilinear(p, (i % n + 0.5) / n, (i / n + 0.5) / n);
+          // Triangles: the three points of the rule that is exact for quadratic functions.
+          const Vec3 x = quad ? Bilinear(p, (i % n + 0.5) / n, (i / n + 0.5) / n)
+                              : Vec3((p[0] + p[1] + p[2]) / 6.0 + 0.5 * p[i]);
           const double d =
             target.Search->Closest(x, elements.Nearest[corner[i % 3]].Triangle).Distance;
           elements.Result[e].Found(x, d, target);
           sum += d;
         }
-        elements.MeanDistance[e] = sum / (n * n);
+        elements.MeanDistance[e] = sum / count;
       }
     });
 }
@@ -231,35 +235,9 @@ DistancePiece RootPiece(const Elements& elements, std::size_t e)
   return piece;
 }
 
-/// Branch and bound for all elements. @a value: samples first, then bounds of the value; else the
-/// decision whether all are within goal.Accept.
-bool BoundElements(
+bool BoundAll(
   const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
 {
-  elements.Result.assign(elements.Size(), {});
-  if (!SearchPoints(target, elements, 0.0, 0.2, monitor))
-  {
-    return false;
-  }
-  if (!goal.Decide)
-  {
-    if (!SampleElements(target, elements, 0.2, 0.4, monitor))
-    {
-      return false;
-    }
-    // The greatest distance found anywhere; elements must stay below it or find a greater one.
-    double lower = 0.0;
-    for (const ElementDistance& r : elements.Result)
-    {
-      lower = std::max(lower, r.Lower);
-    }
-    for (const TrianglePoint& q : elements.Nearest)
-    {
-      lower = std::max(lower, q.Distance - target.LargestSlack);
-    }
-    goal.Gap = std::max(goal.Gap, ValueGap * lower);
-    goal.Accept = lower + goal.Gap;
-  }
   const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, elements.Size()));
   goal.Budget = std::clamp<std::int64_t>(TotalBudget / count, 1000, 1000000);
   return ParallelBlocks(
@@ -269,6 +247,69 @@ bool BoundElements(
         BoundElement(target, RootPiece(elements, e), goal, elements.Result[e]);
       }
     });
+}
+
+/// Decides for every element whether it is within goal.Accept.
+bool DecideElements(
+  const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
+{
+  goal.Decide = true;
+  goal.GiveUp = goal.Accept;
+  elements.Result.assign(elements.Size(), {});
+  return SearchPoints(target, elements, 0.0, 0.4, monitor) &&
+    BoundAll(target, elements, goal, monitor);
+}
+
+/// Samples, then bounds of the greatest distance of all elements, or of @a known where that is
+/// greater. With @a coarse the elements that come near it are left alone: their Upper is large.
+bool BoundElements(const DistanceTarget& target, Elements& elements, DistanceGoal goal, bool coarse,
+  double known, Monitor& monitor)
+{
+  elements.Result.assign(elements.Size(), {});
+  if (!SearchPoints(target, elements, 0.0, 0.2, monitor) ||
+    !SampleElements(target, elements, 0.2, 0.4, monitor))
+  {
+    return false;
+  }
+  double lower = known;
+  for (const ElementDistance& r : elements.Result)
+  {
+    lower = std::max(lower, r.Lower);
+  }
+  for (const TrianglePoint& q : elements.Nearest)
+  {
+    lower = std::max(lower, q.Distance - target.LargestSlack);
+  }
+  goal.Gap = std::max(goal.Gap, ValueGap * lower);
+  goal.Accept = lower + goal.Gap;
+  goal.Decide = coarse;
+  // Lower has the slack subtracted, a bound has it added.
+  goal.GiveUp = goal.Accept - 2.0 * target.LargestSlack;
+  return BoundAll(target, elements, goal, monitor);
+}
+
+/// The elements whose bound is greater than @a accept, without results; their ids in @a ids.
+Elements Remaining(const Elements& all, double accept, std::vector<std::size_t>& ids)
+{
+  Elements some;
+  for (std::size_t e = 0; e < all.Size(); ++e)
+  {
+    if (all.Result[e].Upper > accept)
+    {
+      ids.push_back(e);
+      const auto first = static_cast<Index>(some.Points.size());
+      std::array<Index, 4> corner = all.Corner[e];
+      for (int k = 0; k < all.Count(e); ++k)
+      {
+        some.Points.push_back(all.Points[corner[k]]);
+        corner[k] = first + k;
+      }
+      some.Corner.push_back(corner);
+      some.Owner.push_back(all.Owner[e]);
+      some.Area.push_back(all.Area[e]);
+    }
+  }
+  return some;
 }
 
 /// Elements that are not proven to be within @a tolerance: one point for each owner, the farthest.
@@ -281,7 +322,8 @@ std::vector<DistanceWitness> CollectWitnesses(
     const ElementDistance& r = elements.Result[e];
     if (r.Lower > tolerance || (unproven && r.Upper > tolerance))
     {
-      const DistanceWitness w{ r.Where + center, r.Lower, elements.Owner[e] };
+      const Vec3& place = r.Lower > tolerance ? r.Where : r.Unproven;
+      const DistanceWitness w{ place + center, r.Lower, elements.Owner[e] };
       if (witnesses.empty() || witnesses.back().Element != w.Element)
       {
         witnesses.push_back(w);
@@ -432,7 +474,6 @@ DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& poin
     return decision;
   }
   DistanceGoal goal;
-  goal.Decide = true;
   goal.Accept = tolerance - Rounding * this->SurfaceDiagonal;
   goal.Flat = DecisionSplitError * tolerance;
   goal.Tiny = 0.001 * tolerance;
@@ -440,7 +481,7 @@ DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& poin
   DistanceTarget surface;
   surface.Search = &this->Search;
   SubMonitor first(monitor, 0.0, 0.5);
-  if (!BoundElements(surface, patches, goal, first))
+  if (!DecideElements(surface, patches, goal, first))
   {
     return decision;
   }
@@ -450,7 +491,7 @@ DistanceDecision CertifiedDistance::DistanceWithin(const std::vector<Vec3>& poin
   BuildTarget(patches, DecisionSplitError * tolerance, mesh);
   Elements triangles = TriangleElements(this->Search);
   SubMonitor second(monitor, 0.5, 1.0);
-  if (!BoundElements(mesh.Target, triangles, goal, second))
+  if (!DecideElements(mesh.Target, triangles, goal, second))
   {
     return decision;
   }
@@ -479,7 +520,7 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   DistanceTarget surface;
   surface.Search = &this->Search;
   SubMonitor first(monitor, 0.0, 0.5);
-  if (!BoundElements(surface, patches, goal, first))
+  if (!BoundElements(surface, patches, goal, false, 0.0, first))
   {
     return bounds;
   }
@@ -491,15 +532,41 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
     bounds.Deviation[q] = patches.Result[q].Upper + rounding;
   }
 
-  QuadTarget mesh;
-  BuildTarget(patches, ValueSplitError * tolerance, mesh);
-  bounds.SplitError = mesh.Target.LargestSlack;
-  goal.Gap = std::max(goal.Gap, 0.5 * goal.Gap + 2.0 * bounds.SplitError);
+  // A coarse split settles most of the surface; the rest is measured to a fine one.
   Elements triangles = TriangleElements(this->Search);
-  SubMonitor second(monitor, 0.5, 1.0);
-  if (!BoundElements(mesh.Target, triangles, goal, second))
+  SubMonitor second(monitor, 0.5, 0.8);
   {
-    return bounds;
+    QuadTarget coarse;
+    BuildTarget(patches, CoarseSplitError * tolerance, coarse);
+    if (!BoundElements(coarse.Target, triangles, goal, true, 0.0, second))
+    {
+      return bounds;
+    }
+    bounds.SplitError = coarse.Target.LargestSlack;
+  }
+  double lower = 0.0;
+  for (const ElementDistance& r : triangles.Result)
+  {
+    lower = std::max(lower, r.Lower);
+  }
+  std::vector<std::size_t> ids;
+  Elements rest = Remaining(triangles, lower + std::max(goal.Gap, ValueGap * lower), ids);
+  SubMonitor third(monitor, 0.8, 1.0);
+  if (!ids.empty())
+  {
+    QuadTarget fine;
+    BuildTarget(patches, FineSplitError * tolerance, fine);
+    bounds.SplitError = fine.Target.LargestSlack;
+    goal.Gap = std::max(goal.Gap, 0.5 * goal.Gap + 2.0 * bounds.SplitError);
+    if (!BoundElements(fine.Target, rest, goal, false, lower, third))
+    {
+      return bounds;
+    }
+  }
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    triangles.Result[ids[i]].Merge(rest.Result[i]);
+    triangles.MeanDistance[ids[i]] = rest.MeanDistance[i];
   }
   bounds.SurfaceToMesh = Summarize(triangles, goal.Gap, this->Center);
   bounds.SurfaceToMesh.Upper += rounding;

@@ -273,18 +273,102 @@ void Cut(const DistanceTarget& target, const DistancePiece& p, double flat, Dist
   }
 }
 
-bool LowerBound(const DistancePiece& a, const DistancePiece& b)
+/// The state of one branch and bound.
+class Search
 {
-  return a.Bound < b.Bound;
-}
+public:
+  Search(const DistanceTarget& target, const DistanceGoal& goal, ElementDistance& result)
+    : Target(target)
+    , Goal(goal)
+    , Result(result)
+  {
+  }
+
+  void Run(const DistancePiece& root)
+  {
+    this->Result.Unproven = root.Corner[0];
+    this->Add(root);
+    while (!this->Open.empty() && !this->GiveUp())
+    {
+      DistancePiece p = this->Open.back();
+      this->Open.pop_back();
+      ++this->Result.Pieces;
+      this->Refine(p);
+    }
+    double upper = std::max(this->Retired, this->Result.Lower);
+    for (const DistancePiece& p : this->Open)
+    {
+      if (p.Bound > upper)
+      {
+        upper = p.Bound;
+        this->Result.Unproven = (p.Corner[0] + p.Corner[1] + p.Corner[2]) / 3.0;
+      }
+    }
+    this->Result.Upper = upper;
+  }
+
+private:
+  double Enough() const
+  {
+    return this->Goal.Decide ? this->Goal.Accept
+                             : std::max(this->Goal.Accept, this->Result.Lower + this->Goal.Gap);
+  }
+
+  bool GiveUp() const
+  {
+    return (this->Goal.Decide && this->Result.Lower > this->Goal.GiveUp) ||
+      this->Result.Pieces >= this->Goal.Budget;
+  }
+
+  /// Settles a piece, or leaves it for later.
+  void Add(DistancePiece p)
+  {
+    Improve(this->Target, p, this->Enough());
+    if (p.Bound <= this->Enough())
+    {
+      this->Retired = std::max(this->Retired, p.Bound);
+    }
+    else
+    {
+      this->Open.push_back(p);
+    }
+  }
+
+  void Refine(DistancePiece& p)
+  {
+    if (p.Bound <= this->Enough()) // a greater distance was found since
+    {
+      this->Retired = std::max(this->Retired, p.Bound);
+      return;
+    }
+    if (MakeExact(this->Target, p, this->Result))
+    {
+      this->Add(p);
+      return;
+    }
+    if (p.Best < 0 || CoveringRadius(p) <= this->Goal.Tiny)
+    {
+      this->Retired = std::max(this->Retired, p.Bound);
+      this->Result.Unproven = p.Corner[0]; // as good as any of its points
+      return;
+    }
+    DistancePiece child[2];
+    Cut(this->Target, p, this->Goal.Flat, child[0], child[1]);
+    this->Add(child[0]);
+    this->Add(child[1]);
+  }
+
+  const DistanceTarget& Target;
+  const DistanceGoal& Goal;
+  ElementDistance& Result;
+  std::vector<DistancePiece> Open; ///< depth first: stays short
+  double Retired = 0.0;            ///< greatest bound of the settled pieces
+};
 }
 
 void BoundElement(const DistanceTarget& target, const DistancePiece& root, const DistanceGoal& goal,
   ElementDistance& result)
 {
-  std::vector<DistancePiece> heap{ root };
-  double retired = 0.0;
-  Vec3 unproven = root.Corner[0];
   for (int i = 0; i < root.Count; ++i)
   {
     if (root.Exact[i])
@@ -292,52 +376,6 @@ void BoundElement(const DistanceTarget& target, const DistancePiece& root, const
       result.Found(root.Corner[i], root.Distance[i], target);
     }
   }
-  const auto accept = [&] {
-    return goal.Decide ? goal.Accept : std::max(goal.Accept, result.Lower + goal.Gap);
-  };
-  Improve(target, heap.front(), accept());
-  while (!heap.empty() && heap.front().Bound > accept())
-  {
-    if ((goal.Decide && result.Lower > goal.Accept) || result.Pieces >= goal.Budget)
-    {
-      break;
-    }
-    std::pop_heap(heap.begin(), heap.end(), LowerBound);
-    DistancePiece p = heap.back();
-    heap.pop_back();
-    ++result.Pieces;
-    if (MakeExact(target, p, result))
-    {
-      Improve(target, p, accept());
-      heap.push_back(p);
-      std::push_heap(heap.begin(), heap.end(), LowerBound);
-      continue;
-    }
-    if (p.Best < 0 || CoveringRadius(p) <= goal.Tiny)
-    {
-      retired = std::max(retired, p.Bound);
-      unproven = p.Corner[0]; // as good as any of its points
-      continue;
-    }
-    DistancePiece child[2];
-    Cut(target, p, goal.Flat, child[0], child[1]);
-    for (DistancePiece& c : child)
-    {
-      Improve(target, c, accept());
-      heap.push_back(c);
-      std::push_heap(heap.begin(), heap.end(), LowerBound);
-    }
-  }
-  if (!heap.empty() && heap.front().Bound > accept())
-  {
-    const DistancePiece& p = heap.front();
-    unproven = (p.Corner[0] + p.Corner[1] + p.Corner[2]) / 3.0;
-  }
-  const double open = heap.empty() ? 0.0 : heap.front().Bound;
-  result.Upper = std::max({ retired, open, result.Lower });
-  if (result.Upper > accept() && result.Lower <= goal.Accept)
-  {
-    result.Where = unproven;
-  }
+  Search(target, goal, result).Run(root);
 }
 }

@@ -9,6 +9,7 @@
 #include "TriangleSearch.h"
 #include "Types.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -41,8 +42,9 @@ struct DistancePiece
 /// When to stop.
 struct DistanceGoal
 {
-  bool Decide = false;    ///< stop at the first point beyond Accept
+  bool Decide = false;    ///< stop at the first point beyond GiveUp
   double Accept = 0.0;    ///< pieces with a bound up to this need no more work
+  double GiveUp = 0.0;    ///< a point farther than this makes the decision: no
   double Gap = 0.0;       ///< so far may a bound exceed the greatest distance found (value, not decision)
   double Flat = 0.0;      ///< patches flatter than this may be treated as two triangles
   double Tiny = 0.0;      ///< pieces of this radius aren't cut any more
@@ -54,8 +56,21 @@ struct ElementDistance
 {
   double Lower = 0.0;
   double Upper = 1e300;
-  Vec3 Where = Vec3::Zero(); ///< a point with distance Lower, or the place that is unproven
+  Vec3 Where = Vec3::Zero();    ///< a point with distance Lower
+  Vec3 Unproven = Vec3::Zero(); ///< a place of the part that keeps Upper high
   std::int64_t Pieces = 0;
+
+  /// Joins what another search found about the same element.
+  void Merge(const ElementDistance& other)
+  {
+    if (other.Lower > this->Lower)
+    {
+      this->Lower = other.Lower;
+      this->Where = other.Where;
+    }
+    this->Upper = std::min(this->Upper, other.Upper);
+    this->Pieces += other.Pieces;
+  }
 
   /// Takes note of a point and its exact distance to the triangles.
   void Found(const Vec3& p, double distance, const DistanceTarget& target, double slack = 0.0)
