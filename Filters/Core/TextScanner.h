@@ -42,6 +42,9 @@ public:
   /// Goes to the start of the next line.
   void SkipLine();
 
+  /// Passes @a count bytes that are no text, at most Remaining().
+  void Advance(std::size_t count) { this->Offset += count; }
+
   /// Line of the last word, from 1.
   std::size_t Line() const { return this->LineNumber; }
   /// Byte offset of what comes next.

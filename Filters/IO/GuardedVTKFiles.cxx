@@ -2,6 +2,7 @@
 #include "GuardedVTKFiles.h"
 
 #include "FileAccess.h"
+#include "LegacyVTKFile.h"
 #include "TextScanner.h"
 
 #include "vtkCellArray.h"
@@ -14,10 +15,9 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataReader.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkUnstructuredGridReader.h"
 #include "vtkUnstructuredGridWriter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
@@ -64,11 +64,11 @@ Status Unreadable(const std::string& path, const std::string& what)
   return Status(StatusCode::UnreadableFile, FileBaseName(path) + ": " + what);
 }
 
-/// A file of n bytes has at most this many values: one bit each (legacy), or what a compressed
-/// block can hold at the very best (XML).
-std::int64_t MostValues(const std::string& bytes, bool xml)
+/// A file of n bytes has at most this many values: one bit each, or what a compressed block can
+/// hold at the very best.
+std::int64_t MostValues(const std::string& bytes)
 {
-  const bool compressed = xml && bytes.substr(0, 4096).find("compressor=") != std::string::npos;
+  const bool compressed = bytes.substr(0, 4096).find("compressor=") != std::string::npos;
   return (compressed ? 8192 : 8) * static_cast<std::int64_t>(bytes.size());
 }
 
@@ -81,7 +81,7 @@ Status TooMany(const std::string& path, std::string_view what, std::int64_t coun
 /// Counts of the attributes of an XML file.
 Status CheckXMLCounts(const std::string& path, const std::string& bytes)
 {
-  const std::int64_t most = MostValues(bytes, true);
+  const std::int64_t most = MostValues(bytes);
   const std::string_view text(bytes);
   for (std::size_t at = text.find("Number"); at != std::string_view::npos;
        at = text.find("Number", at + 1))
@@ -101,97 +101,6 @@ Status CheckXMLCounts(const std::string& path, const std::string& bytes)
     }
   }
   return {};
-}
-
-/// Counts in the keyword lines of a legacy file, "POINTS n type" and so on, and in array lines,
-/// "name components tuples type". Lines inside binary data rarely look like that, and then hardly
-/// ever with a count that is too large.
-Status CheckLegacyCounts(const std::string& path, const std::string& bytes)
-{
-  constexpr std::string_view keywords[] = { "POINTS", "VERTICES", "LINES", "POLYGONS",
-    "TRIANGLE_STRIPS", "CELLS", "CELL_TYPES", "POINT_DATA", "CELL_DATA", "FIELD", "SCALARS",
-    "LOOKUP_TABLE", "DIMENSIONS" };
-  constexpr std::string_view types[] = { "bit", "unsigned_char", "char", "unsigned_short", "short",
-    "unsigned_int", "int", "unsigned_long", "long", "float", "double", "vtkIdType", "vtktypeint64",
-    "vtktypeuint64", "string" };
-  const std::int64_t most = MostValues(bytes, false);
-  const std::string_view text(bytes);
-  for (std::size_t begin = 0; begin < text.size();)
-  {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    TextScanner scanner(text.substr(begin, std::min<std::size_t>(end - begin, 300)), 0);
-    begin = end + 1;
-    std::string_view words[4];
-    int n = 0;
-    while (n < 4 && scanner.WordOnLine(words[n]))
-    {
-      ++n;
-    }
-    const bool array =
-      n == 4 && std::find(std::begin(types), std::end(types), words[3]) != std::end(types);
-    if (!array &&
-        std::find(std::begin(keywords), std::end(keywords), words[0]) == std::end(keywords))
-    {
-      continue;
-    }
-    std::int64_t product = 1;
-    for (int i = 1; i < n; ++i)
-    {
-      std::int64_t count = 0;
-      if (ParseInteger(words[i], count))
-      {
-        if (count < 0 || count > most || (array && count > 0 && product > most / count))
-        {
-          return TooMany(path, words[0], count);
-        }
-        product *= array ? std::max<std::int64_t>(count, 1) : 1;
-      }
-    }
-  }
-  return {};
-}
-
-/// VTK's legacy readers crash without the four lines of the header.
-Status CheckLegacyHeader(const std::string& path, const std::string& bytes, const char* dataSet)
-{
-  TextScanner scanner(bytes, 0);
-  std::string_view words[3];
-  bool good = true;
-  for (const char* expected : { "#", "vtk", "DataFile", "Version" })
-  {
-    good = good && scanner.WordOnLine(words[0]) && words[0] == expected;
-  }
-  scanner.SkipLine();
-  scanner.SkipLine();
-  good = good && scanner.Word(words[0]) && (words[0] == "ASCII" || words[0] == "BINARY") &&
-         scanner.Word(words[1]) && words[1] == "DATASET" && scanner.Word(words[2]);
-  if (!good)
-  {
-    return Unreadable(path, "not a legacy VTK file, or truncated in its header.");
-  }
-  return words[2] == dataSet ? Status()
-                             : Unreadable(path, "the file holds " + Quoted(words[2]) + ", not " +
-                                                  Quoted(dataSet) + ".");
-}
-
-Status CheckCounts(const std::string& path, const char* legacyDataSet)
-{
-  std::string bytes;
-  Status status = ReadFileBytes(path, bytes);
-  if (!status.Ok())
-  {
-    return status;
-  }
-  if (bytes.find_first_not_of(" \t\r\n") == std::string::npos)
-  {
-    return Status(StatusCode::EmptySurface, FileBaseName(path) + ": the file is empty.");
-  }
-  if (!legacyDataSet)
-  {
-    return CheckXMLCounts(path, bytes);
-  }
-  status = CheckLegacyHeader(path, bytes, legacyDataSet);
-  return status.Ok() ? CheckLegacyCounts(path, bytes) : status;
 }
 
 /// Offsets that grow within the connectivity, ids of existing points.
@@ -327,10 +236,13 @@ Status CheckContent(const std::string& path, vtkUnstructuredGrid* data)
   return CheckArrays(path, data);
 }
 
-/// @a output stays empty unless all is well.
+/// @a data is the output of a run of @a reader, null after an error.
 template <typename Reader, typename Data>
-Status RunReader(const std::string& path, Reader* reader, ErrorCollector* errors, Data* output)
+Status RunReader(const std::string& path, Reader* reader, vtkSmartPointer<Data>& data)
 {
+  vtkNew<ErrorCollector> errors;
+  reader->SetReaderErrorObserver(errors);
+  reader->SetParserErrorObserver(errors);
   reader->AddObserver(vtkCommand::ErrorEvent, errors);
   reader->AddObserver(vtkCommand::WarningEvent, errors);
   reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
@@ -343,39 +255,47 @@ Status RunReader(const std::string& path, Reader* reader, ErrorCollector* errors
                               : errors->First();
     return Unreadable(path, "not readable as a VTK file: " + why + ".");
   }
-  Data* data = Data::SafeDownCast(reader->GetOutputDataObject(0));
-  if (!data)
+  data = Data::SafeDownCast(reader->GetOutputDataObject(0));
+  return data ? Status() : Unreadable(path, "the file holds another type of data.");
+}
+
+/// @a output stays empty unless all is well.
+template <typename XMLReader, typename Data>
+Status Read(const std::string& path, const char* xmlExtension, Data* output)
+{
+  std::string bytes;
+  Status status = ReadFileBytes(path, bytes);
+  if (status.Ok() && bytes.find_first_not_of(" \t\r\n") == std::string::npos)
   {
-    return Unreadable(path, "the file holds another type of data.");
+    status = Status(StatusCode::EmptySurface, FileBaseName(path) + ": the file is empty.");
   }
-  Status status = CheckContent(path, data);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  auto data = vtkSmartPointer<Data>::New();
+  if (FileExtension(path) == xmlExtension)
+  {
+    status = CheckXMLCounts(path, bytes);
+    if (status.Ok())
+    {
+      vtkNew<XMLReader> reader;
+      status = RunReader(path, reader.Get(), data);
+    }
+  }
+  else
+  {
+    status = ParseLegacyVTK(bytes, FileBaseName(path), data);
+  }
+  if (status.Ok())
+  {
+    status = CheckContent(path, data.Get());
+  }
   if (status.Ok())
   {
     output->ShallowCopy(data);
   }
   return status;
-}
-
-template <typename XMLReader, typename LegacyReader, typename Data>
-Status Read(
-  const std::string& path, const char* xmlExtension, const char* legacyDataSet, Data* output)
-{
-  const bool xml = FileExtension(path) == xmlExtension;
-  Status status = CheckCounts(path, xml ? nullptr : legacyDataSet);
-  if (!status.Ok())
-  {
-    return status;
-  }
-  vtkNew<ErrorCollector> errors;
-  if (xml)
-  {
-    vtkNew<XMLReader> reader;
-    reader->SetReaderErrorObserver(errors);
-    reader->SetParserErrorObserver(errors);
-    return RunReader(path, reader.Get(), errors, output);
-  }
-  vtkNew<LegacyReader> reader;
-  return RunReader(path, reader.Get(), errors, output);
 }
 
 template <typename Writer>
@@ -429,13 +349,12 @@ Status NoFileName()
 
 Status ReadVTKFile(const std::string& path, vtkPolyData* output)
 {
-  return Read<vtkXMLPolyDataReader, vtkPolyDataReader>(path, ".vtp", "POLYDATA", output);
+  return Read<vtkXMLPolyDataReader>(path, ".vtp", output);
 }
 
 Status ReadVTKFile(const std::string& path, vtkUnstructuredGrid* output)
 {
-  return Read<vtkXMLUnstructuredGridReader, vtkUnstructuredGridReader>(
-    path, ".vtu", "UNSTRUCTURED_GRID", output);
+  return Read<vtkXMLUnstructuredGridReader>(path, ".vtu", output);
 }
 
 Status WriteVTKFile(const std::string& path, vtkUnstructuredGrid* input)

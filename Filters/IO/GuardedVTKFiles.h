@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// VTK's own readers and writers made safe: one Status instead of a stream of errors, no
-/// exceptions, and data that is checked before anyone uses it. Private to this module.
+/// VTK's own files, safely: one Status instead of a stream of errors, no exceptions, and data that
+/// is checked before anyone uses it. Private to this module.
 
 #ifndef featurehex_GuardedVTKFiles_h
 #define featurehex_GuardedVTKFiles_h
