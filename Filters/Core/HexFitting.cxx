@@ -113,12 +113,26 @@ private:
 };
 }
 
+std::vector<Index> InvertedHexes(const HexMesh& mesh)
+{
+  std::vector<Index> inverted;
+  for (Index h = 0; h < static_cast<Index>(mesh.Hexes.size()); ++h)
+  {
+    if (!(LeastCornerDeterminant(mesh, h) > 0))
+    {
+      inverted.push_back(h);
+    }
+  }
+  return inverted;
+}
+
 Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry* surface,
   const UntangleOptions& options, UntangleReport& report, Monitor& monitor)
 {
   HexOptimizer optimizer(mesh, stars);
   report = UntangleReport();
-  report.InvertedBefore = report.InvertedAfter = optimizer.CountInverted();
+  const auto countInverted = [&mesh] { return static_cast<Index>(InvertedHexes(mesh).size()); };
+  report.InvertedBefore = report.InvertedAfter = countInverted();
   if (surface)
   {
     SurfaceTerms(mesh, stars, *surface).UpdatePlanes(optimizer, options.SurfaceWeight);
@@ -146,7 +160,7 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
     optimizer.ActivateAll();
     optimizer.Sweep(delta);
     ++report.Sweeps;
-    report.InvertedAfter = optimizer.CountInverted();
+    report.InvertedAfter = countInverted();
   }
   return Status();
 }

@@ -25,6 +25,9 @@ struct UntangleReport
   int Sweeps = 0;
 };
 
+/// Hexes with a corner determinant <= 0, ascending.
+std::vector<Index> InvertedHexes(const HexMesh& mesh);
+
 /// Moves points until no corner determinant is <= 0. @a surface may be null: then boundary vertices don't move.
 Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry* surface,
   const UntangleOptions& options, UntangleReport& report, Monitor& monitor);

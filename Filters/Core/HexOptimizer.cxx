@@ -31,6 +31,16 @@ double Regularized(double det, double delta)
 }
 }
 
+double LeastCornerDeterminant(const HexMesh& mesh, Index hex)
+{
+  double least = 1e300;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    least = std::min(least, Determinant(mesh, mesh.Hexes[hex], corner));
+  }
+  return least;
+}
+
 /// One corner of an incident hex as a function of the moving vertex: S = |J|^2 (quadratic, Hessian 2 Edges I)
 /// and D = det J (affine).
 struct HexOptimizer::Corner
@@ -107,33 +117,13 @@ void HexOptimizer::ActivateAround(Index vertex)
   }
 }
 
-double HexOptimizer::HexLeastDeterminant(Index hex) const
-{
-  double least = 1e300;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    least = std::min(least, Determinant(this->Mesh, this->Mesh.Hexes[hex], corner));
-  }
-  return least;
-}
-
-Index HexOptimizer::CountInverted() const
-{
-  Index count = 0;
-  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
-  {
-    count += this->HexLeastDeterminant(static_cast<Index>(h)) > 0 ? 0 : 1;
-  }
-  return count;
-}
-
 double HexOptimizer::LeastDeterminant() const
 {
   double least = 1e300;
   for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
   {
     const double size = this->HexSizes[h];
-    least = std::min(least, this->HexLeastDeterminant(static_cast<Index>(h)) / (size * size * size));
+    least = std::min(least, LeastCornerDeterminant(this->Mesh, static_cast<Index>(h)) / (size * size * size));
   }
   return least;
 }

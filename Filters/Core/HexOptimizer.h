@@ -13,6 +13,9 @@
 
 namespace featurehex
 {
+/// Least of the eight corner determinants of a hex.
+double LeastCornerDeterminant(const HexMesh& mesh, Index hex);
+
 /// Weight ((n . d)^2 + Tether |d|^2) with d = (weighted mean of the vertices) - Target. Zero weight: absent.
 struct SurfaceTerm
 {
@@ -68,9 +71,6 @@ public:
   void ActivateAll();
   void ActivateBoundary();
 
-  /// Hexes with a corner determinant <= 0.
-  Index CountInverted() const;
-
   /// Least corner determinant relative to the cube of the hex size.
   double LeastDeterminant() const;
 
@@ -79,7 +79,6 @@ private:
 
   bool MoveVertex(Index vertex, double regularization);
   void CollectCorners(Index vertex, double regularization, std::vector<Corner>& corners) const;
-  double HexLeastDeterminant(Index hex) const;
   template <typename Visitor>
   void VisitTerms(Index vertex, const Visitor& visit) const;
   void ActivateAround(Index vertex);

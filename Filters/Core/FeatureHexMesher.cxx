@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureHexMesher.h"
+
+#include "BlockOctree.h"
+#include "CertifiedDistance.h"
+#include "HexDomain.h"
+#include "HexFitting.h"
+#include "HexPadding.h"
+#include "OctreeDual.h"
+#include "SurfaceSizing.h"
+#include "WindingNumber.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace featurehex
+{
+namespace
+{
+constexpr double CellsPerSide = 26;      // default target edge length: longest side / 26 (the paper's)
+constexpr double RefineBeyond = 1.4;     // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
+constexpr double SampleSpacing = 0.7;    // tolerances, between samples of the input
+constexpr int QuadGrid = 7;              // samples per quad side (recipe-quality 3)
+
+/// Adds the wall time between construction and destruction to a stage.
+class StageClock
+{
+public:
+  StageClock(std::vector<StageTiming>& timings, const std::string& stage)
+    : Timings(timings)
+    , Stage(stage)
+  {
+  }
+  ~StageClock()
+  {
+    const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+    for (StageTiming& timing : this->Timings)
+    {
+      if (timing.Stage == this->Stage)
+      {
+        timing.Seconds += seconds;
+        return;
+      }
+    }
+    this->Timings.push_back({ this->Stage, seconds });
+  }
+  StageClock(const StageClock&) = delete;
+  StageClock& operator=(const StageClock&) = delete;
+
+private:
+  std::vector<StageTiming>& Timings;
+  std::string Stage;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+std::string Place(const Vec3& p)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+  return text.str();
+}
+
+/// The refinement loop: what lasts from round to round.
+class Mesher
+{
+public:
+  Mesher(const MeshingOptions& options, Monitor& monitor, MeshingResult& result)
+    : Options(options)
+    , Progress(monitor)
+    , Result(result)
+  {
+  }
+
+  Status Run(const SurfaceMesh& input);
+
+private:
+  enum class Outcome
+  {
+    Done,
+    Refine,
+    Failed
+  };
+
+  Status CheckOptions() const;
+  Status Prepare(const SurfaceMesh& input);
+  Outcome RunRound(int round, Status& status);
+  Outcome BuildDomain(Status& status);
+  Outcome BuildBody(Status& status);
+  Outcome Fit(Status& status);
+  Outcome Improve(Status& status);
+  Outcome Validate(Status& status);
+  Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
+    Status& status);
+  void BeginPhase(const std::string& name, double from, double to);
+  double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
+
+  const MeshingOptions& Options;
+  Monitor& Progress;
+  MeshingResult& Result;
+  double EdgeLength = 0;
+  int Round = 0;
+
+  std::unique_ptr<SurfaceGeometry> Surface;
+  WindingNumber Winding;
+  std::unique_ptr<CertifiedDistance> Distance;
+  std::vector<Vec3> Samples;
+  std::vector<RefinementPoint> Points;
+
+  // Of the current round.
+  BlockOctree Octree;
+  HexMesh Dual;
+  OctreeDualArrays DualArrays;
+  HexDomain Domain;
+  PaddedMesh Body;
+  HexStars Stars;
+  std::unique_ptr<SurfaceEnvelope> Envelope;
+};
+
+void Mesher::BeginPhase(const std::string& name, double from, double to)
+{
+  // Nobody knows how many rounds there will be: each takes half of what is left.
+  const double first = 0.1 + 0.85 * (1 - std::pow(0.5, this->Round));
+  const double width = 0.85 * std::pow(0.5, this->Round + 1);
+  const std::string title =
+    this->Round == 0 ? name : name + " (round " + std::to_string(this->Round + 1) + ")";
+  this->Progress.BeginPhase(title, first + from * width, first + to * width);
+}
+
+Status Mesher::CheckOptions() const
+{
+  const auto bad = [](const std::string& text) { return Status(StatusCode::InvalidOption, text); };
+  if (!(this->Options.Tolerance > 0 && this->Options.Tolerance < 1))
+  {
+    return bad("Tolerance is " + std::to_string(this->Options.Tolerance) +
+      "; it is a fraction of the bounding-box diagonal, above 0 and below 1 (default 0.005).");
+  }
+  if (!(this->Options.TargetEdgeLength >= 0 && this->Options.TargetEdgeLength < 1e300))
+  {
+    return bad("TargetEdgeLength is " + std::to_string(this->Options.TargetEdgeLength) +
+      "; give a length in model units, or 0 for automatic.");
+  }
+  return Status();
+}
+
+Status Mesher::Prepare(const SurfaceMesh& input)
+{
+  SurfaceMesh checked = input;
+  {
+    const StageClock clock(this->Result.Timings, "surface check");
+    this->Progress.BeginPhase("checking the surface", 0.0, 0.05);
+    const Status status =
+      CheckSurface(checked, SurfaceCheckOptions(), this->Result.Check, this->Progress);
+    if (!status.Ok())
+    {
+      return status;
+    }
+  }
+  const StageClock clock(this->Result.Timings, "sizing");
+  this->Progress.BeginPhase("measuring thickness and gaps", 0.05, 0.1);
+  this->Surface = std::make_unique<SurfaceGeometry>(std::move(checked));
+  this->Winding = WindingNumber(this->Surface->Mesh());
+  this->Distance = std::make_unique<CertifiedDistance>(this->Surface->Mesh());
+  this->Samples = this->Surface->Samples(SampleSpacing * this->AbsoluteTolerance());
+  this->EdgeLength = this->Options.TargetEdgeLength > 0
+    ? this->Options.TargetEdgeLength
+    : this->Surface->Bounds().Size().maxCoeff() / CellsPerSide;
+  this->Result.TargetEdgeLength = this->EdgeLength;
+
+  SizingOptions sizing;
+  sizing.TargetEdgeLength = this->EdgeLength;
+  sizing.Slack = this->AbsoluteTolerance();
+  sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->Options.MaximumLevel);
+  this->Points =
+    ComputeSizing(this->Surface->Mesh(), this->Surface->Search(), sizing, this->Progress);
+  return this->Progress.StopStatus();
+}
+
+/// Adds refinement points one level below the cells at @a places. Fails with @a reason when nothing can be
+/// refined any more.
+Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
+  const std::vector<Vec3>& places, Status& status)
+{
+  std::vector<RefinementPoint> points;
+  for (const Vec3& p : places)
+  {
+    const int level = this->Octree.LeafLevelAt(p) + 1;
+    if (level <= this->Options.MaximumLevel)
+    {
+      points.push_back({ p, level });
+    }
+  }
+  points = ThinRefinementPoints(points, this->EdgeLength);
+  MeshingRound& round = this->Result.Rounds.back();
+  round.Reason = reason;
+  round.RefinementPoints = static_cast<Index>(points.size());
+  if (points.empty() || this->Round + 1 >= this->Options.MaximumRounds)
+  {
+    status = Status(code,
+      reason + (places.empty() ? "" : ", first at " + Place(places.front())) + ", after " +
+        std::to_string(this->Round + 1) + " rounds of refinement" +
+        (points.empty() ? " with cells at MaximumLevel" : "") +
+        ". Lower TargetEdgeLength or raise MaximumLevel for finer cells there, or raise Tolerance.",
+      places);
+    return Outcome::Failed;
+  }
+  this->Points.insert(this->Points.end(), points.begin(), points.end());
+  return Outcome::Refine;
+}
+
+Mesher::Outcome Mesher::BuildDomain(Status& status)
+{
+  {
+    const StageClock clock(this->Result.Timings, "octree");
+    this->BeginPhase("building the octree", 0.0, 0.03);
+    OctreeOptions octree;
+    octree.TargetEdgeLength = this->EdgeLength;
+    octree.MaximumLevel = this->Options.MaximumLevel;
+    octree.MaximumNumberOfCells = this->Options.MaximumNumberOfCells;
+    octree.AlignToPrincipalAxes = this->Options.AlignToPrincipalAxes;
+    status = BuildBlockOctree(
+      this->Surface->Mesh(), this->Points, octree, this->Octree, nullptr, this->Progress);
+    this->Result.Rounds.back().OctreeLeaves = static_cast<Index>(this->Octree.Leaves.size());
+  }
+  if (status.Ok())
+  {
+    const StageClock clock(this->Result.Timings, "dual");
+    this->BeginPhase("converting the octree to hexes", 0.03, 0.06);
+    status = ConvertOctreeToHexes(this->Octree, this->Dual, &this->DualArrays, this->Progress);
+  }
+  if (status.Ok())
+  {
+    const StageClock clock(this->Result.Timings, "domain");
+    this->BeginPhase("finding inside and outside", 0.06, 0.15);
+    DomainOptions domain;
+    domain.TargetEdgeLength = this->EdgeLength;
+    domain.MaximumLevel = this->Options.MaximumLevel;
+    domain.Slack = this->AbsoluteTolerance();
+    status = ComputeHexDomain(this->Dual, this->Surface->Mesh(), this->Surface->Search(),
+      this->Winding, domain, this->Progress, this->Domain);
+  }
+  if (!status.Ok())
+  {
+    return Outcome::Failed;
+  }
+  const bool sound = this->Domain.Topology.Same();
+  std::vector<Vec3> places;
+  for (const std::vector<RefinementPoint>* points :
+    { &this->Domain.TopologyPoints, &this->Domain.MissingPoints })
+  {
+    for (const RefinementPoint& p : *points)
+    {
+      places.push_back(p.Position);
+    }
+  }
+  if (!sound)
+  {
+    return this->Refine("The hexes have other components, tunnels or cavities than the surface",
+      StatusCode::Topology, places, status);
+  }
+  if (!places.empty() && this->Round + 1 < this->Options.MaximumRounds)
+  {
+    const Outcome outcome =
+      this->Refine("Parts of the surface have no hexes near them", StatusCode::Distance, places, status);
+    if (outcome == Outcome::Refine)
+    {
+      return outcome;
+    }
+    status = Status(); // the fit may still reach them
+  }
+  return Outcome::Done;
+}
+
+Mesher::Outcome Mesher::BuildBody(Status& status)
+{
+  {
+    const StageClock clock(this->Result.Timings, "padding");
+    this->BeginPhase("padding", 0.15, 0.17);
+    status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body);
+    if (!status.Ok())
+    {
+      return Outcome::Failed;
+    }
+    this->Result.Rounds.back().Hexes = static_cast<Index>(this->Body.Mesh.Hexes.size());
+    this->Stars = HexStars(this->Body.Mesh);
+  }
+  const StageClock clock(this->Result.Timings, "untangling");
+  this->BeginPhase("untangling", 0.17, 0.22);
+  UntangleReport report;
+  status = UntangleHexes(this->Body.Mesh, this->Stars, this->Surface.get(), UntangleOptions(),
+    report, this->Progress);
+  if (status.Ok() && report.InvertedAfter > 0)
+  {
+    std::vector<Vec3> places;
+    for (Index h : InvertedHexes(this->Body.Mesh))
+    {
+      places.push_back(this->Body.Mesh.Points[this->Body.Mesh.Hexes[h][0]]);
+    }
+    return this->Refine(std::to_string(report.InvertedAfter) + " hexes stay inverted",
+      StatusCode::Untangling, places, status);
+  }
+  return status.Ok() ? Outcome::Done : Outcome::Failed;
+}
+
+Mesher::Outcome Mesher::Fit(Status& status)
+{
+  const StageClock clock(this->Result.Timings, "fitting");
+  this->BeginPhase("fitting to the surface", 0.22, 0.55);
+  this->Envelope = std::make_unique<SurfaceEnvelope>(
+    *this->Surface, this->Samples, this->Body.Mesh, this->Stars, QuadGrid);
+  FittingOptions fitting;
+  fitting.Tolerance = this->Options.Tolerance;
+  status = FitHexes(
+    this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope, fitting, this->Progress);
+  if (!status.Ok())
+  {
+    return Outcome::Failed;
+  }
+  std::vector<Vec3> places;
+  std::vector<EnvelopeContact> contacts;
+  for (Index q = 0; q < static_cast<Index>(this->Stars.Quads.size()); ++q)
+  {
+    this->Envelope->Collect(q, RefineBeyond * this->AbsoluteTolerance(), contacts);
+  }
+  for (const EnvelopeContact& contact : contacts)
+  {
+    places.push_back(contact.SurfacePoint);
+  }
+  if (!places.empty())
+  {
+    const Outcome outcome = this->Refine(
+      "The fitted boundary is far from the surface", StatusCode::Distance, places, status);
+    if (outcome == Outcome::Refine)
+    {
+      return outcome;
+    }
+    status = Status(); // the improvement may still draw it inside
+  }
+  return Outcome::Done;
+}
+
+Mesher::Outcome Mesher::Improve(Status& status)
+{
+  const StageClock clock(this->Result.Timings, "improving");
+  this->BeginPhase("improving the worst hexes", 0.55, 0.9);
+  ImprovementOptions improvement;
+  improvement.Tolerance = this->Options.Tolerance;
+  improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
+  status = ImproveHexes(this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope, improvement,
+    this->Result.Improvement, this->Progress);
+  if (!status.Ok())
+  {
+    return Outcome::Failed;
+  }
+  const DistanceDecision decision = this->Distance->DistanceWithin(
+    this->Body.Mesh.Points, this->Stars.Quads, this->AbsoluteTolerance(), this->Progress);
+  if (this->Progress.Stopped())
+  {
+    status = this->Progress.StopStatus();
+    return Outcome::Failed;
+  }
+  if (!decision.Within)
+  {
+    std::vector<Vec3> places;
+    for (const DistanceWitness& w : decision.Triangles)
+    {
+      places.push_back(w.Point);
+    }
+    for (const DistanceWitness& w : decision.Quads)
+    {
+      places.push_back(this->Surface->Search().Closest(w.Point).Point);
+    }
+    return this->Refine("The boundary leaves the tolerance", StatusCode::Distance, places, status);
+  }
+  return Outcome::Done;
+}
+
+Mesher::Outcome Mesher::Validate(Status& status)
+{
+  const StageClock clock(this->Result.Timings, "validation");
+  this->BeginPhase("validating", 0.9, 1.0);
+  HexValidationOptions validation;
+  validation.Tolerance = this->Options.Tolerance;
+  HexValidationReport& report = this->Result.Validation;
+  report =
+    ValidateHexMesh(this->Body.Mesh, &this->Surface->Mesh(), validation, this->Progress);
+  if (report.Result.Ok())
+  {
+    return Outcome::Done;
+  }
+  if (report.Result.Code != StatusCode::Validation)
+  {
+    status = report.Result;
+    return Outcome::Failed;
+  }
+  std::vector<Vec3> places;
+  for (const OffendingHex& bad : report.Offending)
+  {
+    places.push_back(this->Body.Mesh.Points[this->Body.Mesh.Hexes[bad.Hex][0]]);
+  }
+  return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
+}
+
+Mesher::Outcome Mesher::RunRound(int round, Status& status)
+{
+  this->Round = round;
+  this->Result.Rounds.emplace_back();
+  for (const auto stage : { &Mesher::BuildDomain, &Mesher::BuildBody, &Mesher::Fit,
+         &Mesher::Improve, &Mesher::Validate })
+  {
+    const Outcome outcome = (this->*stage)(status);
+    if (outcome != Outcome::Done)
+    {
+      return outcome;
+    }
+  }
+  return Outcome::Done;
+}
+
+Status Mesher::Run(const SurfaceMesh& input)
+{
+  Status status = this->CheckOptions();
+  if (status.Ok())
+  {
+    status = this->Prepare(input);
+  }
+  if (!status.Ok())
+  {
+    return status;
+  }
+  for (int round = 0;; ++round)
+  {
+    const Outcome outcome = this->RunRound(round, status);
+    if (outcome == Outcome::Failed)
+    {
+      return status;
+    }
+    if (outcome == Outcome::Done)
+    {
+      break;
+    }
+  }
+  this->Result.Region = std::move(this->Body.Region);
+  this->Result.Level.reserve(this->Body.SourceHex.size());
+  for (Index source : this->Body.SourceHex)
+  {
+    this->Result.Level.push_back(this->DualArrays.HexLevel[source] - this->Octree.BaseLevel);
+  }
+  this->Result.Mesh = std::move(this->Body.Mesh);
+  return Status();
+}
+}
+
+Status MeshSurface(const SurfaceMesh& surface, const MeshingOptions& options, Monitor& monitor,
+  MeshingResult& result)
+{
+  result = MeshingResult();
+  Status status = Mesher(options, monitor, result).Run(surface);
+  if (!status.Ok())
+  {
+    result.Mesh = HexMesh();
+    result.Region.clear();
+    result.Level.clear();
+  }
+  return status;
+}
+}

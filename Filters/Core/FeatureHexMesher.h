@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// The whole method: from a triangle surface to a hex mesh that keeps every promise (design 1, 3.10).
+
+#ifndef featurehex_FeatureHexMesher_h
+#define featurehex_FeatureHexMesher_h
+
+#include "HexImprovement.h"
+#include "HexValidation.h"
+#include "Monitor.h"
+#include "SurfaceCheck.h"
+
+#include <string>
+
+namespace featurehex
+{
+struct MeshingOptions
+{
+  /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the bounding box.
+  double Tolerance = 0.005;
+  /// Cell size at the surface, model units; 0: longest side of the bounding box / 26.
+  double TargetEdgeLength = 0.0;
+  /// Refinement goes at most this many halvings below the target edge length.
+  int MaximumLevel = 4;
+  /// Of the octree.
+  std::int64_t MaximumNumberOfCells = 20000000;
+  bool AlignToPrincipalAxes = false;
+  /// Wanted, best effort.
+  double MinimumScaledJacobian = 0.55;
+  /// Refinement rounds before the method gives up.
+  int MaximumRounds = 12;
+};
+
+/// One pass of the refinement loop and why it had to be repeated (empty: it was the last).
+struct MeshingRound
+{
+  std::string Reason;
+  Index OctreeLeaves = 0;
+  Index Hexes = 0;            ///< of the body, padded; 0 when the round ended before
+  Index RefinementPoints = 0; ///< added for the next round
+};
+
+struct StageTiming
+{
+  std::string Stage;
+  double Seconds = 0.0; ///< wall time, all rounds
+};
+
+struct MeshingResult
+{
+  HexMesh Mesh;
+  std::vector<int> Region; ///< per hex, 1 and up: which body
+  std::vector<int> Level;  ///< per hex: octree level relative to the target edge length
+  double TargetEdgeLength = 0.0;
+  SurfaceCheckReport Check;
+  ImprovementReport Improvement;
+  HexValidationReport Validation;
+  std::vector<MeshingRound> Rounds;
+  std::vector<StageTiming> Timings;
+};
+
+/// Runs all stages with the refinement loop. When the status is not Ok, the mesh of the result is empty.
+Status MeshSurface(const SurfaceMesh& surface, const MeshingOptions& options, Monitor& monitor,
+  MeshingResult& result);
+}
+
+#endif
