@@ -6,6 +6,7 @@
 #include "HexDomain.h"
 #include "HexFitting.h"
 #include "HexPadding.h"
+#include "HexUntangling.h"
 #include "OctreeDual.h"
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"

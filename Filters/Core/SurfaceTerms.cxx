@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceTerms.h"
+
+#include <algorithm>
+
+namespace featurehex
+{
+namespace
+{
+// Shares of the local size (recipe-pipeline 2.7).
+constexpr double NearSurface = 0.05; // closer: the smooth normal of the surface counts, not the direction
+constexpr double TargetReach = 0.5;  // targets are no farther than this
+constexpr double Tether = 0.02;      // weak pull to the closest point itself
+
+/// Plane through (or, when far, towards) the closest surface point of @a p.
+SurfaceTerm PlaneTerm(
+  const SurfaceGeometry& surface, const Vec3& p, Index& hint, double size, double weight)
+{
+  const TrianglePoint closest = surface.Search().Closest(p, hint);
+  hint = closest.Triangle;
+  SurfaceTerm term;
+  term.Target = closest.Point;
+  term.Normal = surface.NormalAt(closest);
+  term.Weight = weight / (size * size);
+  if (closest.Distance > NearSurface * size)
+  {
+    term.Normal = (p - closest.Point) / closest.Distance;
+    term.Tether = Tether;
+  }
+  if (closest.Distance > TargetReach * size)
+  {
+    term.Target = p - term.Normal * (TargetReach * size);
+  }
+  return term;
+}
+
+/// Pulls the point of the quad to the sample of the input.
+QuadTerm ReverseTerm(const EnvelopeContact& contact, double size, double weight)
+{
+  QuadTerm term;
+  term.Weights = contact.Weights;
+  term.Term.Normal = (contact.SurfacePoint - contact.QuadPoint) / contact.Distance;
+  term.Term.Target =
+    contact.QuadPoint + term.Term.Normal * std::min(contact.Distance, TargetReach * size);
+  term.Term.Weight = weight / (size * size);
+  term.Term.Tether = Tether;
+  return term;
+}
+}
+
+SurfaceTerms::SurfaceTerms(const HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface)
+  : Mesh(mesh)
+  , Stars(stars)
+  , Surface(surface)
+  , VertexHints(mesh.Points.size(), -1)
+  , QuadHints(stars.Quads.size(), -1)
+{
+}
+
+void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight)
+{
+  ParallelFor(this->Mesh.Points.size(), 512, [&](std::size_t v) {
+    if (this->Stars.OnBoundary(static_cast<Index>(v)))
+    {
+      optimizer.VertexTerms[v] = PlaneTerm(this->Surface, this->Mesh.Points[v],
+        this->VertexHints[v], optimizer.SizeAt(static_cast<Index>(v)), weight);
+    }
+  });
+  ParallelFor(this->Stars.Quads.size(), 512, [&](std::size_t q) {
+    const Vec3 center = this->Center(q);
+    QuadTerm& term = optimizer.CentroidTerms[q];
+    term.Term =
+      PlaneTerm(this->Surface, center, this->QuadHints[q], this->QuadSize(optimizer, q), weight);
+    term.Term.Tether = 0;
+  });
+}
+
+void SurfaceTerms::UpdateReverse(HexOptimizer& optimizer, const SurfaceEnvelope& envelope, double weight,
+  double threshold) const
+{
+  ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
+    const EnvelopeContact worst = envelope.WorstReverse(static_cast<Index>(q), threshold);
+    optimizer.ReverseTerms[q] =
+      worst.Quad < 0 ? QuadTerm() : ReverseTerm(worst, this->QuadSize(optimizer, q), weight);
+  });
+}
+
+Vec3 SurfaceTerms::Center(std::size_t q) const
+{
+  const Quad& quad = this->Stars.Quads[q];
+  return 0.25 * (this->Mesh.Points[quad[0]] + this->Mesh.Points[quad[1]] +
+                  this->Mesh.Points[quad[2]] + this->Mesh.Points[quad[3]]);
+}
+
+double SurfaceTerms::QuadSize(const HexOptimizer& optimizer, std::size_t q) const
+{
+  const Quad& quad = this->Stars.Quads[q];
+  return 0.5 * (optimizer.SizeAt(quad[0]) + optimizer.SizeAt(quad[2]));
+}
+}
