@@ -2,6 +2,7 @@
 #include "HexDomain.h"
 
 #include "DomainRefinement.h"
+#include "HandleRepair.h"
 #include "IslandRepair.h"
 #include "Parallel.h"
 
@@ -197,6 +198,8 @@ Status CheckBorder(const HexGraph& graph, const Cells& cells, const std::vector<
 void NumberRegions(const HexGraph& graph, const std::vector<char>& inside, HexDomain& domain)
 {
   domain.Region.assign(inside.size(), 0);
+  domain.NumberOfRegions = 0;
+  domain.InsideHexes = 0;
   std::vector<Index> stack;
   for (std::size_t start = 0; start < inside.size(); ++start)
   {
@@ -242,6 +245,38 @@ RepairResult RepairLabels(const HexGraph& graph, const HexDistances& distances,
     }
   }
   return repair;
+}
+
+/// Regions, interface and topology of the labels.
+void DescribeInterface(const HexGraph& graph, const TriangleSearch& search,
+  const std::vector<char>& inside, HexDomain& domain)
+{
+  NumberRegions(graph, inside, domain);
+  domain.Interface = InterfaceQuads(graph.Mesh, graph.Neighbors, domain.Region);
+  std::vector<Quad> quads;
+  for (const InterfaceQuad& quad : domain.Interface)
+  {
+    quads.push_back(quad.Vertices);
+  }
+  domain.InterfaceShells = FindShells(graph.Mesh.Points, quads);
+  domain.Topology =
+    CompareShells(domain.SurfaceShells, search, domain.InterfaceShells, graph.Mesh.Points, quads);
+}
+
+/// Per shell of the surface the handles that its shell of the interface has too many.
+std::vector<Index> ExcessHandles(const HexDomain& domain)
+{
+  std::vector<Index> excess(domain.SurfaceShells.List.size(), 0);
+  for (std::size_t m = 0; m < domain.InterfaceShells.List.size(); ++m)
+  {
+    const Index shell = domain.Topology.Matched[m];
+    if (domain.Topology.Verdicts[shell] == ShellVerdict::Genus)
+    {
+      excess[shell] =
+        domain.InterfaceShells.List[m].Genus() - domain.SurfaceShells.List[shell].Genus();
+    }
+  }
+  return excess;
 }
 
 Status CheckRepair(const HexMesh& mesh, const RepairResult& repair)
@@ -294,21 +329,17 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   }
   domain.SurfaceShells = FindShells(surface.Points, surface.Triangles);
   const RepairResult repair = RepairLabels(graph, distances, options, inside, domain);
-  NumberRegions(graph, inside, domain);
-  domain.Interface = InterfaceQuads(mesh, graph.Neighbors, domain.Region);
+  DescribeInterface(graph, search, inside, domain);
   if (Status status = CheckRepair(mesh, repair); !status.Ok())
   {
     return status;
   }
-
-  std::vector<Quad> quads;
-  for (const InterfaceQuad& quad : domain.Interface)
+  std::vector<Index> excess = ExcessHandles(domain);
+  domain.HandleFlips = RepairHandles(graph, distances, domain.SurfaceShells, excess, inside);
+  if (domain.HandleFlips > 0)
   {
-    quads.push_back(quad.Vertices);
+    DescribeInterface(graph, search, inside, domain);
   }
-  domain.InterfaceShells = FindShells(mesh.Points, quads);
-  domain.Topology =
-    CompareShells(domain.SurfaceShells, search, domain.InterfaceShells, mesh.Points, quads);
   if (!monitor.Update(0.6))
   {
     return monitor.StopStatus();

@@ -45,6 +45,7 @@ struct HexDomain
   Index LonelyFlips = 0; ///< hexes that disagreed with 5 of their 6 neighbours
   Index RepairFlips = 0; ///< hexes flipped to make the interface a manifold
   Index IslandFlips = 0; ///< hexes flipped to join or drop pieces that the cells tore off
+  Index HandleFlips = 0; ///< hexes flipped to close or cut handles that the surface doesn't have
   Index WindingNumbers = 0; ///< how many were needed
 
   Shells SurfaceShells;

@@ -23,59 +23,6 @@ bool FaceHasVertex(const Hex& hex, int face, Index vertex)
     hex[corners[3]] == vertex;
 }
 
-/// True when the hexes with one of the two labels are several face-connected groups at the vertex.
-bool IsNonManifold(const HexGraph& graph, const std::vector<char>& inside, Index vertex)
-{
-  const IdLists::Range hexes = graph.HexesOfVertex[vertex];
-  Index insideCount = 0;
-  for (Index h : hexes)
-  {
-    insideCount += inside[h];
-  }
-  if (insideCount == 0 || insideCount == hexes.size())
-  {
-    return false;
-  }
-  thread_local std::vector<char> seen;
-  thread_local std::vector<Index> stack;
-  seen.assign(hexes.size(), 0);
-  int groups[2] = { 0, 0 };
-  for (Index i = 0; i < hexes.size(); ++i)
-  {
-    if (seen[i])
-    {
-      continue;
-    }
-    const char label = inside[hexes[i]];
-    if (++groups[static_cast<int>(label)] > 1)
-    {
-      return true;
-    }
-    seen[i] = 1;
-    stack.assign(1, hexes[i]);
-    while (!stack.empty())
-    {
-      const Index h = stack.back();
-      stack.pop_back();
-      for (int f = 0; f < 6; ++f)
-      {
-        const Index other = graph.Neighbors[h][f];
-        if (other < 0 || inside[other] != label || !FaceHasVertex(graph.Mesh.Hexes[h], f, vertex))
-        {
-          continue;
-        }
-        const Index* found = std::lower_bound(hexes.begin(), hexes.end(), other);
-        if (!seen[found - hexes.begin()])
-        {
-          seen[found - hexes.begin()] = 1;
-          stack.push_back(other);
-        }
-      }
-    }
-  }
-  return false;
-}
-
 class Repair
 {
 public:
@@ -180,6 +127,58 @@ private:
   std::vector<int> TimesFlipped;
   std::vector<char> Border;
 };
+}
+
+bool IsNonManifold(const HexGraph& graph, const std::vector<char>& inside, Index vertex)
+{
+  const IdLists::Range hexes = graph.HexesOfVertex[vertex];
+  Index insideCount = 0;
+  for (Index h : hexes)
+  {
+    insideCount += inside[h];
+  }
+  if (insideCount == 0 || insideCount == hexes.size())
+  {
+    return false;
+  }
+  thread_local std::vector<char> seen;
+  thread_local std::vector<Index> stack;
+  seen.assign(hexes.size(), 0);
+  int groups[2] = { 0, 0 };
+  for (Index i = 0; i < hexes.size(); ++i)
+  {
+    if (seen[i])
+    {
+      continue;
+    }
+    const char label = inside[hexes[i]];
+    if (++groups[static_cast<int>(label)] > 1)
+    {
+      return true;
+    }
+    seen[i] = 1;
+    stack.assign(1, hexes[i]);
+    while (!stack.empty())
+    {
+      const Index h = stack.back();
+      stack.pop_back();
+      for (int f = 0; f < 6; ++f)
+      {
+        const Index other = graph.Neighbors[h][f];
+        if (other < 0 || inside[other] != label || !FaceHasVertex(graph.Mesh.Hexes[h], f, vertex))
+        {
+          continue;
+        }
+        const Index* found = std::lower_bound(hexes.begin(), hexes.end(), other);
+        if (!seen[found - hexes.begin()])
+        {
+          seen[found - hexes.begin()] = 1;
+          stack.push_back(other);
+        }
+      }
+    }
+  }
+  return false;
 }
 
 std::vector<Index> NonManifoldVertices(const HexGraph& graph, const std::vector<char>& inside)

@@ -58,8 +58,12 @@ std::vector<InterfaceQuad> InterfaceQuads(const HexMesh& mesh,
   return quads;
 }
 
-/// Vertices at which the hexes inside, or the hexes outside, are more than one face-connected group.
-/// Without any the interface is a manifold: an edge with four interface quads has such vertices too.
+/// True when the hexes inside, or the hexes outside, are more than one face-connected group at the vertex.
+/// @a inside: 0 or 1 per hex.
+bool IsNonManifold(const HexGraph& graph, const std::vector<char>& inside, Index vertex);
+
+/// All such vertices, ascending. Without any the interface is a manifold: an edge with four interface
+/// quads has such vertices too.
 std::vector<Index> NonManifoldVertices(const HexGraph& graph, const std::vector<char>& inside);
 
 struct RepairResult
