@@ -506,6 +506,7 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   DistanceBounds bounds;
   Elements patches;
   bounds.Deviation.assign(quads.size(), 1e300);
+  bounds.DeviationFound.assign(quads.size(), 0.0);
   if (quads.empty() || this->Search.Triangles().empty() ||
     !QuadElements(points, quads, this->Center, patches))
   {
@@ -530,6 +531,7 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   for (std::size_t q = 0; q < quads.size(); ++q)
   {
     bounds.Deviation[q] = patches.Result[q].Upper + rounding;
+    bounds.DeviationFound[q] = patches.Result[q].Lower;
   }
 
   // A coarse split settles most of the surface; the rest is measured to a fine one.

@@ -42,7 +42,10 @@ struct DistanceBounds
 {
   DirectedDistance MeshToSurface;
   DirectedDistance SurfaceToMesh;
-  std::vector<double> Deviation; ///< per quad: proven bound of the distance of its points to the surface
+  /// Per quad: proven bound of the distance of its points to the surface. No tighter than needed: may
+  /// be as large as the greatest deviation of the mesh where the quad's own is smaller.
+  std::vector<double> Deviation;
+  std::vector<double> DeviationFound; ///< per quad: greatest distance of a point looked at
   double SplitError = 0.0; ///< greatest distance of a patch from the triangles that stand for it
 
   double Lower() const { return std::max(this->MeshToSurface.Lower, this->SurfaceToMesh.Lower); }

@@ -120,9 +120,13 @@ void MarkFarHexes(const HexMesh& mesh, const HexValidationReport& r, Defects& de
 {
   const HexBoundary& boundary = r.Topology.Boundary;
   const double tolerance = r.Tolerance * r.Diagonal;
+  // Where points beyond the tolerance are known, the bounds of other quads may be loose.
+  const bool known = r.Distance.Lower() > tolerance;
+  const std::vector<double>& deviation =
+    known ? r.Distance.DeviationFound : r.Distance.Deviation;
   for (std::size_t q = 0; q < boundary.Quads.size(); ++q)
   {
-    if (r.Distance.Deviation[q] > tolerance)
+    if (deviation[q] > tolerance)
     {
       defects[boundary.Owners[q]] |= BeyondTolerance;
     }

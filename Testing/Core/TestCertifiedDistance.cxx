@@ -154,6 +154,7 @@ TEST(CertifiedDistance, TwistedPatchAgainstDenseSamples)
         }
       }
       EXPECT_GE(b.Deviation[q], here - 1e-12);
+      EXPECT_LE(b.DeviationFound[q], b.Deviation[q]);
       forward = std::max(forward, here);
     }
     EXPECT_GE(b.MeshToSurface.Upper, forward);
