@@ -11,8 +11,10 @@ with open(os.path.join(source, "CMakeLists.txt"), encoding="utf-8") as file:
     version = re.search(r"project\(FeatureHex\s+VERSION (\S+)", file.read()).group(1)
 assert featurehex.__version__ == version, featurehex.__version__
 
-classes = [os.path.splitext(os.path.basename(path))[0]
-           for path in sorted(glob.glob(os.path.join(source, "Filters", "*", "vtk*.cxx")))]
+classes = []
+for path in sorted(glob.glob(os.path.join(source, "Filters", "*", "vtk*.cxx"))):
+    with open(path, encoding="utf-8") as file:
+        classes += re.findall(r"vtkStandardNewMacro\((\w+)\)", file.read())
 assert classes
 for name in classes:
     instance = getattr(featurehex, name)()

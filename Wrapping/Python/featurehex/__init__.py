@@ -8,6 +8,7 @@ In pvpython the classes belong to ParaView's VTK, in python3 to plain VTK: the b
 two VTKs in one process do not work.
 """
 
+from .vtkFeatureHexIO import *
 from .vtkFeatureHexPipeline import *
 
 __version__ = vtkFeatureHexVersion.GetVersion()
