@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexOptimizer.h"
 
+#include "MipsEnergy.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -10,7 +12,6 @@ namespace featurehex
 {
 namespace
 {
-constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
 constexpr double MaximumStep = 0.3;               // of the local size
 constexpr double MinimumStep = 1e-6;              // of the local size: below it the vertex is at rest
 constexpr double WakingStep = 2e-3;               // of the local size: wakes the neighbours
@@ -41,12 +42,10 @@ double LeastCornerDeterminant(const HexMesh& mesh, Index hex)
   return least;
 }
 
-/// One corner of an incident hex as a function of the moving vertex: S = |J|^2 (quadratic, Hessian 2 Edges I)
-/// and D = det J (affine).
-struct HexOptimizer::Corner
+/// A corner of an incident hex with the regularisation of its determinant.
+struct HexOptimizer::Corner : MipsCorner
 {
-  double S, D, Edges, Delta;
-  Vec3 GradS, GradD;
+  double Delta;
 };
 
 HexOptimizer::HexOptimizer(HexMesh& mesh, const HexStars& stars)
@@ -144,32 +143,17 @@ void HexOptimizer::CollectCorners(
   Index vertex, double regularization, std::vector<Corner>& corners) const
 {
   corners.clear();
-  const Vec3 p = this->Mesh.Points[vertex];
   for (Index i = this->Stars.Hexes.Offsets[vertex]; i < this->Stars.Hexes.Offsets[vertex + 1]; ++i)
   {
     const Index h = this->Stars.Hexes.Ids[i];
     const Hex& hex = this->Mesh.Hexes[h];
-    const int corner = this->Stars.Corners[i];
     const double size = this->HexSizes[h];
     const double delta = regularization * size * size * size;
-    const auto point = [&](int local) -> const Vec3& { return this->Mesh.Points[hex[local]]; };
-
-    const Vec3 e0 = point(HexCornerNeighbors[corner][0]) - p;
-    const Vec3 e1 = point(HexCornerNeighbors[corner][1]) - p;
-    const Vec3 e2 = point(HexCornerNeighbors[corner][2]) - p;
-    const Vec3 c12 = e1.cross(e2);
-    corners.push_back({ e0.squaredNorm() + e1.squaredNorm() + e2.squaredNorm(), e0.dot(c12), 3.0,
-      delta, -2 * (e0 + e1 + e2), -(c12 + e2.cross(e0) + e0.cross(e1)) });
-
-    for (const NeighborCorner& n : NeighborCorners[corner])
+    for (const MipsCorner& corner :
+      MipsCornersAt([&](int local) -> const Vec3& { return this->Mesh.Points[hex[local]]; },
+        this->Stars.Corners[i]))
     {
-      const Vec3& apex = point(n.Vertex);
-      const Vec3 a = p - apex;
-      const Vec3 b = point(n.First) - apex;
-      const Vec3 c = point(n.Second) - apex;
-      const Vec3 bc = b.cross(c);
-      corners.push_back(
-        { a.squaredNorm() + b.squaredNorm() + c.squaredNorm(), a.dot(bc), 1.0, delta, 2 * a, bc });
+      corners.push_back({ corner, delta });
     }
   }
 }
@@ -214,9 +198,7 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
     return false;
   }
 
-  double energy = 0;
-  Vec3 gradient = Vec3::Zero();
-  Mat3 hessian = Mat3::Zero();
+  MipsSum sum;
   for (const Corner& corner : corners)
   {
     double det = corner.D;
@@ -231,18 +213,11 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
     {
       return false;
     }
-    const double f = MipsScale * corner.S * std::sqrt(corner.S) / det;
-    const double fS = 1.5 * f / corner.S;
-    const double fD = -f / det;
-    const Vec3 gradD = slope * corner.GradD;
-    energy += f;
-    gradient += fS * corner.GradS + fD * gradD;
-    // Second derivative of f in (S, D); the curvature of chi is dropped (Gauss-Newton).
-    const Vec3 mixed = (-1.5 * f / (corner.S * det)) * gradD + (0.375 * f / (corner.S * corner.S)) * corner.GradS;
-    hessian.noalias() += corner.GradS * mixed.transpose() + mixed * corner.GradS.transpose() +
-      (2 * f / (det * det)) * gradD * gradD.transpose();
-    hessian.diagonal().array() += 2 * fS * corner.Edges;
+    sum.Add(corner, det, slope);
   }
+  double& energy = sum.Value;
+  Vec3& gradient = sum.Gradient;
+  Mat3& hessian = sum.Hessian;
   this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
     const double nd = term.Normal.dot(d);
     energy += term.Weight * (nd * nd + term.Tether * d.squaredNorm());
@@ -280,7 +255,7 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
   }
 
   const auto energyAt = [&](double a) {
-    double sum = 0;
+    double total = 0;
     for (const Corner& corner : corners)
     {
       const double s = corner.S + a * corner.GradS.dot(step) + a * a * corner.Edges * length * length;
@@ -290,14 +265,14 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
       {
         return 1e300;
       }
-      sum += MipsScale * s * std::sqrt(s) / chi;
+      total += MipsValue(s, chi);
     }
     this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
       const Vec3 moved = d + (a * w) * step;
       const double nd = term.Normal.dot(moved);
-      sum += term.Weight * (nd * nd + term.Tether * moved.squaredNorm());
+      total += term.Weight * (nd * nd + term.Tether * moved.squaredNorm());
     });
-    return sum;
+    return total;
   };
   for (int trial = 0; trial < 8; ++trial, alpha *= 0.4)
   {

@@ -2,6 +2,7 @@
 #include "HexUntangling.h"
 
 #include "HexOptimizer.h"
+#include "HexStitching.h"
 #include "SurfaceTerms.h"
 
 #include <algorithm>
@@ -39,6 +40,13 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
     {
       optimizer.Fixed[v] = stars.OnBoundary(static_cast<Index>(v));
     }
+  }
+  if (options.Method == UntangleMethod::Stitching)
+  {
+    const Status status =
+      StitchHexes(mesh, stars, optimizer, options.MaximumSweeps, report.Sweeps, monitor);
+    report.InvertedAfter = countInverted();
+    return status;
   }
   while (report.InvertedAfter > 0 && report.Sweeps < options.MaximumSweeps)
   {

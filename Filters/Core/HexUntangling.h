@@ -11,8 +11,15 @@
 
 namespace featurehex
 {
+enum class UntangleMethod
+{
+  Regularized, ///< the mesh stays connected; the determinant is regularised (Garanzha et al. 2021)
+  Stitching    ///< hexes are taken apart and sewn together (the paper's)
+};
+
 struct UntangleOptions
 {
+  UntangleMethod Method = UntangleMethod::Regularized;
   int MaximumSweeps = 60;
   /// Of the terms that hold the boundary near the surface; without a surface the boundary is fixed.
   double SurfaceWeight = 1.0;
