@@ -16,8 +16,18 @@ constexpr const char* FeatureId = "FeatureId";     ///< patch, curve or corner; 
 
 // Cells of hex meshes.
 constexpr const char* Region = "Region";                 ///< 0 outside, 1... body
-constexpr const char* Level = "Level";                   ///< octree level, 0 coarsest
+/// Halvings of the target edge length: 0 cells of that length, 1 of half, -1 of twice. Cells of octrees
+/// and hex meshes; points: refinement points ask for it.
+constexpr const char* Level = "Level";
 constexpr const char* ScaledJacobian = "ScaledJacobian"; ///< smallest of the 8 corners
+constexpr const char* Certified = "Certified"; ///< 1: Jacobian proven positive in the whole hex
+constexpr const char* Defects = "Defects";     ///< HexDefect bits, 0: none
+constexpr const char* DualHexKind = "DualHexKind";   ///< 0 cube, 1... transition hexes
+constexpr const char* PaddingLayer = "PaddingLayer"; ///< 1: hex of the layer under the boundary
+
+// Cells and points that a stage complains about.
+constexpr const char* Reason = "Reason";                 ///< in words
+constexpr const char* OriginalCellId = "OriginalCellId"; ///< id of the cell in the whole mesh
 
 // Cells of surfaces and boundaries.
 constexpr const char* PatchId = "PatchId";     ///< 0...; -1 none
@@ -33,6 +43,17 @@ constexpr const char* SurfacePointId = "SurfacePointId"; ///< id of the point in
 
 // Octree leaves and their field data.
 constexpr const char* OctreeIndex = "OctreeIndex"; ///< 3 integers, units of the finest cell
+constexpr const char* OctreeOrigin = "OctreeOrigin"; ///< 3 coordinates, model units
+constexpr const char* OctreeAxes = "OctreeAxes";     ///< 3 unit vectors, one after another
+constexpr const char* OctreeFinestCellSize = "OctreeFinestCellSize"; ///< model units
+constexpr const char* OctreeDepth = "OctreeDepth";         ///< level of the finest cells, root 0
+constexpr const char* OctreeBaseLevel = "OctreeBaseLevel"; ///< of the target edge length, root 0
+
+// Field data of octrees and hex meshes.
+constexpr const char* TargetEdgeLength = "TargetEdgeLength"; ///< model units
+/// Of an output that is empty because a filter failed: code and message. Filters after it pass it on
+/// instead of complaining about their empty input.
+constexpr const char* Error = "FeatureHexError";
 
 // Field data of feature graphs.
 constexpr const char* FeatureAngle = "FeatureAngle"; ///< degrees

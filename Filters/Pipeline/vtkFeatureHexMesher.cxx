@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkFeatureHexMesher.h"
+
+#include "ArrayNames.h"
+#include "BoundaryPatches.h"
+#include "DataConversion.h"
+#include "FeatureHexMesher.h"
+#include "vtkFeatureHexVersion.h"
+
+#include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cctype>
+#include <string>
+
+#include <sys/resource.h>
+
+vtkStandardNewMacro(vtkFeatureHexMesher);
+
+namespace
+{
+using namespace featurehex;
+
+/// Of the process so far.
+double PeakMemoryMiB()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// "surface check" becomes "SecondsSurfaceCheck".
+std::string ColumnOfStage(const std::string& stage)
+{
+  std::string column = "Seconds";
+  bool start = true;
+  for (char c : stage)
+  {
+    if (c != ' ')
+    {
+      column += start ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    start = c == ' ';
+  }
+  return column;
+}
+
+std::string Join(const std::vector<std::string>& texts)
+{
+  std::string all;
+  for (const std::string& text : texts)
+  {
+    all += (all.empty() ? "" : " ") + text;
+  }
+  return all;
+}
+
+FigureRow Statistics(const MeshingOptions& options, double timeLimit, const MeshingResult& result)
+{
+  FigureRow row;
+  row.Numbers = result.Validation.Figures();
+  row.Numbers.emplace_back(ArrayNames::TargetEdgeLength, result.TargetEdgeLength);
+  row.Numbers.emplace_back("Rounds", static_cast<double>(result.Rounds.size()));
+  row.Numbers.emplace_back("WantedScaledJacobianMissed", result.Improvement.BelowTarget);
+  double total = 0.0;
+  for (const StageTiming& timing : result.Timings)
+  {
+    row.Numbers.emplace_back(ColumnOfStage(timing.Stage), timing.Seconds);
+    total += timing.Seconds;
+  }
+  row.Numbers.emplace_back("SecondsTotal", total);
+  row.Numbers.emplace_back("PeakMemoryMiB", PeakMemoryMiB());
+  row.Numbers.emplace_back("OptionTolerance", options.Tolerance);
+  row.Numbers.emplace_back("OptionTargetEdgeLength", options.TargetEdgeLength);
+  row.Numbers.emplace_back("OptionMaximumLevel", options.MaximumLevel);
+  row.Numbers.emplace_back(
+    "OptionMaximumNumberOfCells", static_cast<double>(options.MaximumNumberOfCells));
+  row.Numbers.emplace_back("OptionMinimumScaledJacobian", options.MinimumScaledJacobian);
+  row.Numbers.emplace_back("OptionAlignToPrincipalAxes", options.AlignToPrincipalAxes);
+  row.Numbers.emplace_back("OptionMaximumRounds", options.MaximumRounds);
+  row.Numbers.emplace_back("OptionTimeLimit", timeLimit);
+
+  std::string reasons;
+  for (const MeshingRound& round : result.Rounds)
+  {
+    if (!round.Reason.empty())
+    {
+      reasons += (reasons.empty() ? "" : "; ") + round.Reason;
+    }
+  }
+  row.Texts = { { "RoundReasons", reasons }, { "SurfaceRepairs", Join(result.Check.Warnings) },
+    { "Version", vtkFeatureHexVersion::GetVersion() } };
+  return row;
+}
+
+/// Component of each triangle as it was given, -1 for those that were dropped.
+std::vector<Index> ComponentOfInputTriangle(const SurfaceCheckReport& check)
+{
+  std::vector<Index> component(check.Triangles.size(), -1);
+  for (std::size_t t = 0; t < component.size(); ++t)
+  {
+    if (check.Triangles[t] >= 0)
+    {
+      component[t] = check.ComponentOfTriangle[check.Triangles[t]];
+    }
+  }
+  return component;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureHexMesher::vtkFeatureHexMesher()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+vtkFeatureHexMesher::~vtkFeatureHexMesher() = default;
+
+//------------------------------------------------------------------------------
+int vtkFeatureHexMesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFeatureHexMesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* types[] = { "vtkUnstructuredGrid", "vtkPolyData", "vtkPolyData", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+featurehex::Status vtkFeatureHexMesher::Compute(
+  vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
+{
+  vtkPolyData* annotation = vtkPolyData::GetData(inputs[1]);
+  if (annotation && annotation->GetNumberOfCells() > 0)
+  {
+    vtkWarningMacro("The feature annotation is not used: this version doesn't mesh sharp features.");
+  }
+  MeshingOptions options;
+  options.Tolerance = this->Tolerance;
+  options.TargetEdgeLength = this->TargetEdgeLength;
+  options.MaximumLevel = this->MaximumLevel;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
+  options.MinimumScaledJacobian = this->MinimumScaledJacobian;
+  options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;
+  options.MaximumRounds = this->MaximumRounds;
+  monitor.SetTimeLimit(this->TimeLimit);
+
+  const SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
+  MeshingResult result;
+  const Status status = MeshSurface(surface, options, monitor, result);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  if (!result.Check.Warnings.empty())
+  {
+    vtkWarningMacro("The surface was repaired: " << Join(result.Check.Warnings));
+  }
+
+  vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
+  GridFromMesh(result.Mesh, mesh);
+  AddArray(mesh->GetCellData(), ArrayNames::Region, result.Region);
+  AddArray(mesh->GetCellData(), ArrayNames::Level, result.Level);
+  AddArray(mesh->GetCellData(), ArrayNames::ScaledJacobian, result.Validation.ScaledJacobians);
+
+  vtkPolyData* boundary = vtkPolyData::GetData(outputs, 1);
+  const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
+  PolyDataFromQuads(result.Mesh.Points, quads, boundary);
+  AddArray(boundary->GetCellData(), ArrayNames::PatchId,
+    PatchesOfShells(
+      result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check)));
+  AddArray(boundary->GetCellData(), ArrayNames::Deviation, result.Validation.Distance.Deviation);
+
+  const FigureRow row = Statistics(options, this->TimeLimit, result);
+  row.Write(mesh->GetFieldData());
+  row.Write(vtkTable::GetData(outputs, 3));
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureHexMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
+  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
+  os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << "\n";
+  os << indent << "AlignToPrincipalAxes: " << (this->AlignToPrincipalAxes ? "on" : "off") << "\n";
+  os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+}
