@@ -13,6 +13,9 @@ namespace
 constexpr double MaximumWrongDistance = 1.0;
 constexpr std::size_t LargestSet = 3;
 
+/// More sets than this are not looked at: finer hexes are the better way then.
+constexpr std::size_t MaximumSets = 50000;
+
 using HexSet = std::vector<Index>; ///< sorted
 
 class Handles
@@ -109,6 +112,10 @@ private:
               larger.insert(std::move(next));
             }
           }
+        }
+        if (larger.size() > MaximumSets)
+        {
+          return {};
         }
       }
       sets = std::move(larger);

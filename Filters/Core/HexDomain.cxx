@@ -99,6 +99,17 @@ std::vector<Index> GroupBySide(const HexGraph& graph, const Cells& cells, Index&
   return group;
 }
 
+/// What must be true before the stage looks at any hex.
+Status CheckInput(const HexMesh& mesh, const TriangleSearch& search)
+{
+  if (search.Triangles().empty())
+  {
+    return Status(
+      StatusCode::EmptySurface, "The surface has no triangles to tell inside from outside.");
+  }
+  return CheckHexInput(mesh);
+}
+
 /// Distances of the centres in local cell sizes, negative inside.
 std::vector<double> SignedDistances(
   const HexGraph& graph, const Cells& cells, const WindingNumber& winding, Index& groupCount)
@@ -303,11 +314,9 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   Monitor& monitor, HexDomain& domain)
 {
   domain = HexDomain();
-  if (mesh.Hexes.empty() || search.Triangles().empty())
+  if (Status status = CheckInput(mesh, search); !status.Ok())
   {
-    return mesh.Hexes.empty()
-      ? Status(StatusCode::InvalidMesh, "The hex mesh has no hexes to label.")
-      : Status(StatusCode::EmptySurface, "The surface has no triangles to label hexes with.");
+    return status;
   }
   const HexGraph graph(mesh);
   const Cells cells = MeasureCells(mesh, search);

@@ -165,6 +165,10 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
       "Padding needs one region per hex: there are " + std::to_string(mesh.Hexes.size()) +
         " hexes and " + std::to_string(region.size()) + " regions.");
   }
+  if (Status status = CheckHexInput(mesh); !status.Ok())
+  {
+    return status;
+  }
   const std::vector<std::array<Index, 6>> neighbors =
     FaceNeighbors(mesh.Hexes, CellsOfVertices(mesh.Hexes, mesh.Points.size()));
   const std::vector<InterfaceQuad> quads = InterfaceQuads(mesh, neighbors, region);

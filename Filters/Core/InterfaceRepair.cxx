@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 namespace featurehex
 {
@@ -196,6 +197,30 @@ std::vector<Index> NonManifoldVertices(const HexGraph& graph, const std::vector<
     }
   }
   return result;
+}
+
+Status CheckHexInput(const HexMesh& mesh)
+{
+  if (mesh.Hexes.empty())
+  {
+    return Status(StatusCode::InvalidMesh, "The hex mesh has no hexes.");
+  }
+  const Index count = static_cast<Index>(mesh.Points.size());
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  {
+    for (Index v : mesh.Hexes[h])
+    {
+      const bool exists = v >= 0 && v < count;
+      if (!exists || !mesh.Points[v].allFinite())
+      {
+        return Status(StatusCode::InvalidMesh,
+          "Hex " + std::to_string(h) + " uses point " + std::to_string(v) +
+            (exists ? ", which is not finite." : ", which does not exist.") +
+            " Give a hex mesh that the octree stages made.");
+      }
+    }
+  }
+  return Status();
 }
 
 RepairResult RepairInterface(const HexGraph& graph, const std::vector<double>& signedDistance,

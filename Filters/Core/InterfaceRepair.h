@@ -6,6 +6,7 @@
 #define featurehex_InterfaceRepair_h
 
 #include "HexAdjacency.h"
+#include "Status.h"
 #include "Types.h"
 
 #include <vector>
@@ -33,6 +34,9 @@ struct HexGraph
   {
   }
 };
+
+/// InvalidMesh unless there are hexes, all ids exist and all points they use are finite.
+Status CheckHexInput(const HexMesh& mesh);
 
 /// Quads between hexes with a label > 0 and others or the border of the mesh, in the order of their
 /// inside hexes.

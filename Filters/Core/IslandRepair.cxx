@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <queue>
+#include <set>
 
 namespace featurehex
 {
@@ -190,12 +191,16 @@ private:
 
   std::vector<Index> HexesOf(Index piece) const
   {
-    std::vector<Index> hexes;
-    for (std::size_t h = this->Pieces[piece].First; h < this->PieceOf.size(); ++h)
+    std::vector<Index> hexes = { this->Pieces[piece].First };
+    std::set<Index> found(hexes.begin(), hexes.end());
+    for (std::size_t i = 0; i < hexes.size(); ++i)
     {
-      if (this->PieceOf[h] == piece)
+      for (Index other : this->Graph.Neighbors[hexes[i]])
       {
-        hexes.push_back(static_cast<Index>(h));
+        if (other >= 0 && this->PieceOf[other] == piece && found.insert(other).second)
+        {
+          hexes.push_back(other);
+        }
       }
     }
     return hexes;

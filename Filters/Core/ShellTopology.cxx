@@ -4,6 +4,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
@@ -43,20 +44,21 @@ private:
   std::vector<Index> Parent;
 };
 
-/// Six times the signed volume between a face and the origin; quads as four triangles round their middle, which
+/// Six times the signed volume between a face and @a apex; quads as four triangles round their middle, which
 /// is what a bilinear patch encloses.
-double SixVolumes(const std::vector<Vec3>& points, const Triangle& t)
+double SixVolumes(const std::vector<Vec3>& points, const Triangle& t, const Vec3& apex)
 {
-  return points[t[0]].dot(points[t[1]].cross(points[t[2]]));
+  return (points[t[0]] - apex).dot((points[t[1]] - apex).cross(points[t[2]] - apex));
 }
 
-double SixVolumes(const std::vector<Vec3>& points, const Quad& q)
+double SixVolumes(const std::vector<Vec3>& points, const Quad& q, const Vec3& apex)
 {
-  const Vec3 middle = 0.25 * (points[q[0]] + points[q[1]] + points[q[2]] + points[q[3]]);
+  const Vec3 middle =
+    0.25 * (points[q[0]] + points[q[1]] + points[q[2]] + points[q[3]]) - apex;
   double sum = 0.0;
   for (int k = 0; k < 4; ++k)
   {
-    sum += middle.dot(points[q[k]].cross(points[q[(k + 1) & 3]]));
+    sum += middle.dot((points[q[k]] - apex).cross(points[q[(k + 1) & 3]] - apex));
   }
   return sum;
 }
@@ -85,6 +87,7 @@ Shells FindShellsOf(const std::vector<Vec3>& points, const std::vector<Face>& fa
   std::vector<Index> shellOfRoot(points.size(), -1);
   shells.OfFace.reserve(faces.size());
   std::vector<char> used(points.size(), 0);
+  std::vector<Index> apexes;
   for (const Face& face : faces)
   {
     Index& shell = shellOfRoot[sets.Find(face[0])];
@@ -92,12 +95,12 @@ Shells FindShellsOf(const std::vector<Vec3>& points, const std::vector<Face>& fa
     {
       shell = static_cast<Index>(shells.List.size());
       shells.List.emplace_back();
+      apexes.push_back(face[0]);
     }
     shells.OfFace.push_back(shell);
     ShellTopology& topology = shells.List[shell];
-    // Relative to the shell's own first point would be more accurate far from the origin, but the sign is
-    // all that counts and the sums cancel exactly for closed shells up to rounding.
-    topology.Volume += SixVolumes(points, face) / 6.0;
+    // The shell's own first point as apex: the sign must be right far from the origin too.
+    topology.Volume += SixVolumes(points, face, points[apexes[shell]]) / 6.0;
     topology.Center += points[face[0]];
     ++topology.Faces;
     ++topology.EulerCharacteristic;
@@ -120,10 +123,16 @@ Shells FindShellsOf(const std::vector<Vec3>& points, const std::vector<Face>& fa
 
 std::string Describe(std::size_t shell, const ShellTopology& topology)
 {
+  // Rounding errors of the mean are no coordinates.
+  const double smallest = 1e-9 * std::cbrt(std::abs(topology.Volume));
+  double c[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    c[k] = std::abs(topology.Center[k]) < smallest ? 0.0 : topology.Center[k];
+  }
   char text[160];
   std::snprintf(text, sizeof(text), "%s %zu (round %.4g %.4g %.4g)",
-    topology.Cavity() ? "Cavity" : "Shell", shell + 1, topology.Center[0], topology.Center[1],
-    topology.Center[2]);
+    topology.Cavity() ? "Cavity" : "Shell", shell + 1, c[0], c[1], c[2]);
   return text;
 }
 }

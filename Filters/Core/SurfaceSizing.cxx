@@ -12,8 +12,9 @@ namespace featurehex
 {
 namespace
 {
-/// A triangle is cut into at most the square of this many pieces.
-constexpr int MaximumSubdivision = 256;
+/// Bound of the samples before thinning; a wider spacing keeps it. A surface with more cells than that
+/// could not be meshed anyway.
+constexpr double MaximumSamples = 2e7;
 
 constexpr int MaximumShrinks = 12;
 constexpr int MaximumClimbs = 30;
@@ -55,6 +56,35 @@ int MainDirection(const Vec3& v)
   v.cwiseAbs().maxCoeff(&axis);
   return 2 * axis + (v[axis] < 0 ? 1 : 0);
 }
+
+/// A triangle seen as rows parallel to its longest edge.
+struct Rows
+{
+  Vec3 Start;
+  Vec3 Base; ///< longest edge
+  Vec3 Side; ///< from Start to the corner opposite to it
+  Vec3 Normal;
+  double Height;
+
+  Rows(const SurfaceMesh& surface, const Triangle& triangle)
+  {
+    double longest = -1.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vec3& a = surface.Points[triangle[k]];
+      const Vec3 edge = surface.Points[triangle[(k + 1) % 3]] - a;
+      if (edge.squaredNorm() > longest)
+      {
+        longest = edge.squaredNorm();
+        this->Start = a;
+        this->Base = edge;
+        this->Side = surface.Points[triangle[(k + 2) % 3]] - a;
+      }
+    }
+    this->Normal = this->Base.cross(this->Side);
+    this->Height = longest > 0 ? this->Normal.norm() / std::sqrt(longest) : 0.0;
+  }
+};
 
 /// Point of the convex hull of unit vectors that is nearest to the origin: the direction in which all
 /// distances grow at least with its length (a few Frank-Wolfe steps; the hull has at most a few corners).
@@ -233,6 +263,20 @@ std::vector<SurfaceSample> SampleSurface(const SurfaceMesh& surface, double spac
   std::vector<SurfaceSample> samples;
   std::vector<std::array<int, 4>> keys;
   const Box box = BoundingBox(surface);
+  if (!(spacing > 0))
+  {
+    return samples;
+  }
+  double area = 0.0;
+  double length = 0.0;
+  for (const Triangle& t : surface.Triangles)
+  {
+    const Rows rows(surface, t);
+    area += rows.Base.norm() * rows.Height;
+    length += rows.Base.norm();
+  }
+  spacing = std::max({ spacing, std::sqrt(area / MaximumSamples), length / MaximumSamples,
+    1e-6 * box.Diagonal() });
   const auto add = [&](const Vec3& p, std::size_t triangle, int direction) {
     const Vec3 local = (p - box.Low) / spacing;
     samples.push_back({ p, static_cast<Index>(triangle) });
@@ -241,27 +285,21 @@ std::vector<SurfaceSample> SampleSurface(const SurfaceMesh& surface, double spac
   };
   for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
   {
-    const Vec3& a = surface.Points[surface.Triangles[t][0]];
-    const Vec3 u = surface.Points[surface.Triangles[t][1]] - a;
-    const Vec3 v = surface.Points[surface.Triangles[t][2]] - a;
-    const Vec3 normal = u.cross(v);
-    if (normal.isZero(0))
+    const Rows rows(surface, surface.Triangles[t]);
+    if (rows.Normal.isZero(0))
     {
       continue;
     }
-    const double longest = std::max({ u.norm(), v.norm(), (u - v).norm() });
-    const int n = std::clamp(
-      static_cast<int>(std::min(std::ceil(longest / spacing), 1e6)), 1, MaximumSubdivision);
-    const int direction = MainDirection(normal);
-    for (int i = 0; i < n; ++i)
+    const int direction = MainDirection(rows.Normal);
+    const int rowCount = std::max(1, static_cast<int>(std::ceil(rows.Height / spacing)));
+    for (int j = 0; j < rowCount; ++j)
     {
-      for (int j = 0; i + j < n; ++j)
+      const double up = (j + 0.5) / rowCount;
+      const Vec3 along = (1 - up) * rows.Base;
+      const int count = std::max(1, static_cast<int>(std::ceil(along.norm() / spacing)));
+      for (int i = 0; i < count; ++i)
       {
-        add(a + (i + 1.0 / 3) / n * u + (j + 1.0 / 3) / n * v, t, direction);
-        if (i + j + 1 < n)
-        {
-          add(a + (i + 2.0 / 3) / n * u + (j + 2.0 / 3) / n * v, t, direction);
-        }
+        add(rows.Start + up * rows.Side + (i + 0.5) / count * along, t, direction);
       }
     }
   }

@@ -19,9 +19,9 @@ struct SurfaceSample
   Index Triangle;
 };
 
-/// Samples at about @a spacing (model units): every triangle is cut into similar ones no longer than
-/// the spacing and sampled at their centroids; of samples that share a grid cell of that size
-/// and the main direction of the normal only the first stays. Ordered by triangle.
+/// Samples at about @a spacing (model units): in rows along the longest edge of each triangle, at least
+/// one; of samples that share a grid cell of that size and the main direction of the normal only
+/// the first stays. Ordered by triangle. The spacing grows where it would make more than 2e7 samples.
 std::vector<SurfaceSample> SampleSurface(const SurfaceMesh& surface, double spacing);
 
 /// Of points of the same level in the same grid cell (edge = @a baseSize halved level times) only the
@@ -52,7 +52,8 @@ struct ClearanceOptions
 /// The first ball is the shrinking ball of J. Ma, S. Bae, S. Choi, "3D medial axis point approximation
 /// using nearest neighbors and the normal field", The Visual Computer 28, 2012,
 /// doi:10.1007/s00371-011-0594-7; from there the centre climbs the distance field in steps that stay in
-/// the current ball, so it can't pass through the surface. A lower bound, a few percent short at most where the surface is no maze: the climb may stop early.
+/// the current ball, so it can't pass through the surface. A lower bound, some percent short at most
+/// unless the way up is a maze: the climb ends after 30 steps.
 double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
   const ClearanceOptions& options);
 
