@@ -116,15 +116,45 @@ void HexOptimizer::ActivateAround(Index vertex)
   }
 }
 
+bool HexOptimizer::CanMove(const Hex& hex, int corner) const
+{
+  bool fixed = this->Fixed[hex[corner]];
+  for (int neighbor : HexCornerNeighbors[corner])
+  {
+    fixed = fixed && this->Fixed[hex[neighbor]];
+  }
+  return !fixed;
+}
+
 double HexOptimizer::LeastDeterminant() const
 {
   double least = 1e300;
   for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
   {
+    const Hex& hex = this->Mesh.Hexes[h];
     const double size = this->HexSizes[h];
-    least = std::min(least, LeastCornerDeterminant(this->Mesh, static_cast<Index>(h)) / (size * size * size));
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      if (this->CanMove(hex, corner))
+      {
+        least = std::min(least, Determinant(this->Mesh, hex, corner) / (size * size * size));
+      }
+    }
   }
   return least;
+}
+
+bool HexOptimizer::Hopeless(Index h) const
+{
+  const Hex& hex = this->Mesh.Hexes[h];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    if (!this->CanMove(hex, corner) && !(Determinant(this->Mesh, hex, corner) > 0))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 std::size_t HexOptimizer::Sweep(double regularization)

@@ -71,12 +71,16 @@ public:
   void ActivateAll();
   void ActivateBoundary();
 
-  /// Least corner determinant relative to the cube of the hex size.
+  /// Least determinant, relative to the cube of the hex size, of the corners that can move.
   double LeastDeterminant() const;
+
+  /// A corner whose four vertices are all fixed is inverted: no move of the others makes this hex valid.
+  bool Hopeless(Index hex) const;
 
 private:
   struct Corner;
 
+  bool CanMove(const Hex& hex, int corner) const;
   bool MoveVertex(Index vertex, double regularization);
   void CollectCorners(Index vertex, double regularization, std::vector<Corner>& corners) const;
   template <typename Visitor>

@@ -17,9 +17,9 @@ namespace
 constexpr double BadScaledJacobian = 1e-4;
 constexpr int Rings = 2;
 constexpr double StitchingShare = 1e4; // lambda rises to this times E_D / E_S ...
-constexpr double FirstWeight = 1.0;    // ... from this ...
+constexpr double FirstWeight = 10.0;   // ... from this ...
 constexpr double LargestWeight = 1e16; // ... up to this
-constexpr double WeightGrowth = 4.0;   // per sweep at most
+constexpr double WeightGrowth = 1.15;  // per sweep at most: faster, and copies freeze before they are in order
 constexpr double RatioTest = 0.8;      // share of a determinant that one step may take
 constexpr double LeastVolume = 0.05;   // of a cube, in cubes of the mean edge of its hex
 
@@ -29,6 +29,7 @@ struct Piece
   std::vector<Index> Hexes;
   double Weight = FirstWeight;
   Index Inverted = 0; ///< before
+  Index Hopeless = 0; ///< no move can free these
   bool Done = false;
 };
 
@@ -136,6 +137,8 @@ private:
         }
       }
       this->Pieces.back().Inverted = this->CountInverted(this->Pieces.back());
+      this->Pieces.back().Hopeless = static_cast<Index>(std::count_if(
+        hexes.begin(), hexes.end(), [this](Index h) { return this->Terms.Hopeless(h); }));
     }
     for (std::size_t v = 0; v < this->Free.size(); ++v)
     {
@@ -222,7 +225,7 @@ private:
   /// Is the piece free? If not, the weight of its stitching grows.
   void Judge(Piece& piece)
   {
-    if (piece.Done || this->CountInverted(piece) == 0)
+    if (piece.Done || this->CountInverted(piece) == piece.Hopeless)
     {
       piece.Done = true;
       return;

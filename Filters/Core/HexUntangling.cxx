@@ -41,6 +41,10 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
       optimizer.Fixed[v] = stars.OnBoundary(static_cast<Index>(v));
     }
   }
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  {
+    report.Hopeless += optimizer.Hopeless(static_cast<Index>(h)) ? 1 : 0;
+  }
   if (options.Method == UntangleMethod::Stitching)
   {
     const Status status =
@@ -48,7 +52,7 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
     report.InvertedAfter = countInverted();
     return status;
   }
-  while (report.InvertedAfter > 0 && report.Sweeps < options.MaximumSweeps)
+  while (report.InvertedAfter > report.Hopeless && report.Sweeps < options.MaximumSweeps)
   {
     if (!monitor.Update(static_cast<double>(report.Sweeps) / options.MaximumSweeps))
     {
