@@ -97,6 +97,7 @@ private:
   Outcome Validate(Status& status);
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
+  std::vector<Vec3> PlacesBeyond(double tolerances);
   void BeginPhase(const std::string& name, double from, double to);
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
 
@@ -307,6 +308,22 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   return status.Ok() ? Outcome::Done : Outcome::Failed;
 }
 
+/// Points of the surface whose samples are farther than @a tolerances from the boundary, either way.
+std::vector<Vec3> Mesher::PlacesBeyond(double tolerances)
+{
+  std::vector<EnvelopeContact> contacts;
+  for (Index q = 0; q < static_cast<Index>(this->Stars.Quads.size()); ++q)
+  {
+    this->Envelope->Collect(q, tolerances * this->AbsoluteTolerance(), contacts);
+  }
+  std::vector<Vec3> places;
+  for (const EnvelopeContact& contact : contacts)
+  {
+    places.push_back(contact.SurfacePoint);
+  }
+  return places;
+}
+
 Mesher::Outcome Mesher::Fit(Status& status)
 {
   const StageClock clock(this->Result.Timings, "fitting");
@@ -321,16 +338,7 @@ Mesher::Outcome Mesher::Fit(Status& status)
   {
     return Outcome::Failed;
   }
-  std::vector<Vec3> places;
-  std::vector<EnvelopeContact> contacts;
-  for (Index q = 0; q < static_cast<Index>(this->Stars.Quads.size()); ++q)
-  {
-    this->Envelope->Collect(q, RefineBeyond * this->AbsoluteTolerance(), contacts);
-  }
-  for (const EnvelopeContact& contact : contacts)
-  {
-    places.push_back(contact.SurfacePoint);
-  }
+  const std::vector<Vec3> places = this->PlacesBeyond(RefineBeyond);
   if (!places.empty())
   {
     const Outcome outcome = this->Refine(
@@ -356,6 +364,11 @@ Mesher::Outcome Mesher::Improve(Status& status)
   if (!status.Ok())
   {
     return Outcome::Failed;
+  }
+  if (this->Result.Improvement.Distance > this->AbsoluteTolerance())
+  {
+    return this->Refine("The boundary can't be drawn inside the tolerance", StatusCode::Distance,
+      this->PlacesBeyond(1.0), status);
   }
   const DistanceDecision decision = this->Distance->DistanceWithin(
     this->Body.Mesh.Points, this->Stars.Quads, this->AbsoluteTolerance(), this->Progress);

@@ -61,7 +61,7 @@ public:
       {
         this->Envelope.Rebuild();
       }
-      this->Envelope.Measure();
+      this->Envelope.Measure(limit);
       std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
       bool any = false;
       for (std::size_t v = 0; v < this->Chosen.size(); ++v)
@@ -86,7 +86,15 @@ public:
         break;
       }
     }
+    this->Envelope.Measure(limit);
     this->UpdateQualities();
+  }
+
+  /// Sampled distance, exact where it is beyond the limit of the moves.
+  double Distance() const
+  {
+    return std::max({ this->Vertices.Limit(), this->Envelope.ForwardMaximum(),
+      this->Envelope.ReverseMaximum() });
   }
 
   /// Per-vertex steepest ascent of the minimum (mm).
@@ -209,11 +217,14 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   {
     return Status();
   }
-  envelope.Measure();
-  report.DistanceBefore = std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
   Improvement improvement(mesh, stars, surface, envelope, options, monitor);
-  report.MinimumBefore = improvement.Minimum();
+  report.MinimumBefore = report.MinimumAfter = improvement.Minimum();
   improvement.DrawInside();
+  report.Distance = improvement.Distance();
+  if (report.Distance > options.Tolerance * surface.Diagonal())
+  {
+    return monitor.StopStatus(); // only other cells can help: spend no time on quality
+  }
 
   const double target = options.MinimumScaledJacobian;
   double last = improvement.Minimum();
@@ -245,8 +256,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   {
     return monitor.StopStatus();
   }
-  envelope.Measure();
-  report.DistanceAfter = std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
+  report.Distance = improvement.Distance();
   report.MinimumAfter = improvement.Minimum();
   report.BelowTarget = improvement.CountBelow(target);
   return Status();

@@ -49,6 +49,7 @@ SurfaceEnvelope::SurfaceEnvelope(const SurfaceGeometry& surface, const std::vect
   , Samples(samples)
   , Mesh(mesh)
   , Stars(stars)
+  , Witnesses(samples.size())
   , FirstSample(stars.Quads.size(), -1)
   , NextSample(samples.size(), -1)
   , Forward(stars.Quads.size(), 1e300)
@@ -100,10 +101,35 @@ EnvelopeContact SurfaceEnvelope::ClosestOnQuad(Index sample, Index quad) const
   return contact;
 }
 
-/// Closest on the quad itself when that is near enough, else also on the quads next to it.
-EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double enough) const
+/// The point of the quad that was closest the last time; infinitely far when it was on another quad.
+EnvelopeContact SurfaceEnvelope::AtWitness(Index sample, Index quad) const
 {
-  EnvelopeContact best = this->ClosestOnQuad(sample, quad);
+  const Witness& witness = this->Witnesses[sample];
+  EnvelopeContact contact;
+  contact.Quad = quad;
+  contact.SurfacePoint = this->Samples[sample];
+  contact.Distance = 1e300;
+  if (witness.Quad == quad)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      contact.Weights[k] = witness.Weights[k];
+    }
+    contact.QuadPoint = Weighted(this->Mesh, this->Stars.Quads[quad], contact.Weights);
+    contact.Distance = (contact.QuadPoint - contact.SurfacePoint).norm();
+  }
+  return contact;
+}
+
+/// Closest on the quad itself when that is near enough, else also on the quads next to it.
+EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double enough)
+{
+  EnvelopeContact best = this->AtWitness(sample, quad);
+  if (best.Distance <= enough)
+  {
+    return best;
+  }
+  best = this->ClosestOnQuad(sample, quad);
   if (best.Distance > enough)
   {
     for (Index other : this->Stars.QuadNeighbors[quad])
@@ -114,6 +140,11 @@ EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double en
         best = found;
       }
     }
+  }
+  this->Witnesses[sample].Quad = best.Quad;
+  for (int k = 0; k < 4; ++k)
+  {
+    this->Witnesses[sample].Weights[k] = static_cast<float>(best.Weights[k]);
   }
   return best;
 }
@@ -147,7 +178,7 @@ double SurfaceEnvelope::MeasureForward(
 }
 
 double SurfaceEnvelope::MeasureReverse(Index quad, double enough, std::vector<Transfer>& transfers,
-  std::vector<EnvelopeContact>* contacts) const
+  std::vector<EnvelopeContact>* contacts)
 {
   double largest = 0;
   for (Index s = this->FirstSample[quad]; s >= 0; s = this->NextSample[s])
@@ -194,13 +225,24 @@ void SurfaceEnvelope::LinkSamples(const std::vector<Index>& owners)
   std::fill(this->Reverse.begin(), this->Reverse.end(), 1e300);
 }
 
-void SurfaceEnvelope::Measure()
+void SurfaceEnvelope::Measure(double enough)
 {
-  ParallelFor(this->Stars.Quads.size(), 64, [this](std::size_t q) {
-    std::vector<Transfer> ignored;
-    this->Forward[q] = this->MeasureForward(static_cast<Index>(q), 0.0, nullptr);
-    this->Reverse[q] = this->MeasureReverse(static_cast<Index>(q), 1e300, ignored, nullptr);
+  std::vector<std::vector<Transfer>> transfers(this->Stars.Quads.size());
+  ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
+    const Index quad = static_cast<Index>(q);
+    if (this->Forward[q] > enough)
+    {
+      this->Forward[q] = this->MeasureForward(quad, enough, nullptr);
+    }
+    if (this->Reverse[q] > enough)
+    {
+      this->Reverse[q] = this->MeasureReverse(quad, enough, transfers[q], nullptr);
+    }
   });
+  for (const std::vector<Transfer>& list : transfers)
+  {
+    this->Apply(list);
+  }
 }
 
 void SurfaceEnvelope::Rebuild()
@@ -304,6 +346,10 @@ EnvelopeContact SurfaceEnvelope::WorstReverse(Index quad, double threshold) cons
     worst.Distance = threshold;
     for (Index s = this->FirstSample[quad]; s >= 0; s = this->NextSample[s])
     {
+      if (this->AtWitness(s, quad).Distance <= worst.Distance)
+      {
+        continue;
+      }
       const EnvelopeContact found = this->ClosestOnQuad(s, quad);
       if (found.Distance > worst.Distance)
       {

@@ -26,7 +26,8 @@ struct EnvelopeContact
 /// Forward: a grid of points on each boundary quad, each with its last closest triangle. Reverse: samples of
 /// the input, each owned by a quad close to it. Both distances change by no more than the vertex moves, so
 /// each quad carries an upper bound that is simply raised until it would reach the limit; only then are
-/// its samples measured again.
+/// its samples measured again. A measurement first tries the triangle, or the point of the quad, that was
+/// closest the last time: when that is near enough, nothing is searched.
 ///
 /// A call for a vertex touches the quads round it and passes samples on to quads next to those: calls run
 /// beside each other under a VertexSchedule with 3 rings.
@@ -43,8 +44,8 @@ public:
   /// As Rebuild(), but each sample farther than @a enough walks from its quad to closer ones next to it.
   void Update(double enough);
 
-  /// Measure all quads: their bounds become the exact sampled distances.
-  void Measure();
+  /// Measure the quads whose bound is beyond @a enough: afterwards a bound beyond it is the sampled distance.
+  void Measure(double enough);
 
   /// Largest sampled distance known for the quads round @a vertex (an upper bound).
   double BoundAround(Index vertex) const;
@@ -70,11 +71,19 @@ private:
     double Distance;
   };
 
+  /// Where a sample was closest to the boundary the last time.
+  struct Witness
+  {
+    Index Quad = -1;
+    std::array<float, 4> Weights = { 0, 0, 0, 0 };
+  };
+
   EnvelopeContact ClosestOnQuad(Index sample, Index quad) const;
-  EnvelopeContact ClosestNear(Index sample, Index quad, double enough) const;
+  EnvelopeContact AtWitness(Index sample, Index quad) const;
+  EnvelopeContact ClosestNear(Index sample, Index quad, double enough);
   double MeasureForward(Index quad, double enough, std::vector<EnvelopeContact>* contacts);
   double MeasureReverse(Index quad, double enough, std::vector<Transfer>& transfers,
-    std::vector<EnvelopeContact>* contacts) const;
+    std::vector<EnvelopeContact>* contacts);
   void Apply(const std::vector<Transfer>& transfers);
   void LinkSamples(const std::vector<Index>& owners);
   Vec3 GridPoint(Index quad, int i) const;
@@ -84,6 +93,7 @@ private:
   const HexMesh& Mesh;
   const HexStars& Stars;
   std::vector<std::array<double, 4>> GridWeights;
+  std::vector<Witness> Witnesses;  ///< of each sample
   std::vector<Index> Hints;        ///< closest triangle of each grid point of each quad
   std::vector<Index> FirstSample;  ///< of each quad, -1: none
   std::vector<Index> NextSample;   ///< of each sample in its quad, -1: last

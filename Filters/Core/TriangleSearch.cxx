@@ -23,18 +23,8 @@ RTCDevice Device()
   return holder.Handle;
 }
 
-TrianglePoint Combine(double u, double v, double w, const Vec3& p, const Vec3& a, const Vec3& b,
-  const Vec3& c)
-{
-  TrianglePoint result;
-  result.Barycentric = Vec3(u, v, w);
-  result.Point = u * a + v * b + w * c;
-  result.Distance = (p - result.Point).norm();
-  return result;
-}
-}
-
-TrianglePoint ClosestPointOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+/// Barycentric coordinates of the closest point of the triangle a b c to p.
+Vec3 ClosestBarycentric(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -43,47 +33,54 @@ TrianglePoint ClosestPointOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b
   const double d2 = ac.dot(ap);
   if (d1 <= 0 && d2 <= 0)
   {
-    return Combine(1, 0, 0, p, a, b, c);
+    return Vec3(1, 0, 0);
   }
   const Vec3 bp = p - b;
   const double d3 = ab.dot(bp);
   const double d4 = ac.dot(bp);
   if (d3 >= 0 && d4 <= d3)
   {
-    return Combine(0, 1, 0, p, a, b, c);
+    return Vec3(0, 1, 0);
   }
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0 && d1 >= 0 && d3 <= 0)
   {
     const double t = d1 > d3 ? d1 / (d1 - d3) : 0.0;
-    return Combine(1 - t, t, 0, p, a, b, c);
+    return Vec3(1 - t, t, 0);
   }
   const Vec3 cp = p - c;
   const double d5 = ab.dot(cp);
   const double d6 = ac.dot(cp);
   if (d6 >= 0 && d5 <= d6)
   {
-    return Combine(0, 0, 1, p, a, b, c);
+    return Vec3(0, 0, 1);
   }
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0 && d2 >= 0 && d6 <= 0)
   {
     const double t = d2 > d6 ? d2 / (d2 - d6) : 0.0;
-    return Combine(1 - t, 0, t, p, a, b, c);
+    return Vec3(1 - t, 0, t);
   }
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
   {
     const double sum = (d4 - d3) + (d5 - d6);
     const double t = sum > 0 ? (d4 - d3) / sum : 0.0;
-    return Combine(0, 1 - t, t, p, a, b, c);
+    return Vec3(0, 1 - t, t);
   }
   const double sum = va + vb + vc;
-  if (!(sum > 0))
-  {
-    return Combine(1, 0, 0, p, a, b, c);
-  }
-  return Combine(1 - vb / sum - vc / sum, vb / sum, vc / sum, p, a, b, c);
+  return sum > 0 ? Vec3(1 - vb / sum - vc / sum, vb / sum, vc / sum) : Vec3(1, 0, 0);
+}
+}
+
+TrianglePoint ClosestPointOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  TrianglePoint result;
+  result.Barycentric = ClosestBarycentric(p, a, b, c);
+  result.Point =
+    result.Barycentric[0] * a + result.Barycentric[1] * b + result.Barycentric[2] * c;
+  result.Distance = (p - result.Point).norm();
+  return result;
 }
 
 struct TriangleSearch::Scene
