@@ -87,7 +87,8 @@ TEST(ShellTopology, VerdictsAndWords)
   const ShellComparison missing = Compare(two, Sphere(Vec3(2, 0, 0), 1));
   EXPECT_EQ(missing.Verdicts[0], ShellVerdict::Missing);
   EXPECT_EQ(missing.Verdicts[1], ShellVerdict::Same);
-  EXPECT_EQ(missing.Report, "Shell 1 (round -2 0 0) has no hexes of its own.");
+  EXPECT_EQ(missing.Report.find("Shell 1 (round -2"), 0u);
+  EXPECT_NE(missing.Report.find("has no hexes of its own."), std::string::npos);
 
   const ShellComparison split = Compare(two, Together(two, Sphere(Vec3(2, 0, 1), 0.2)));
   EXPECT_EQ(split.Verdicts[1], ShellVerdict::Split);
