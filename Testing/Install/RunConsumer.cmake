@@ -18,4 +18,4 @@ run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/Testing/Install/Consumer" -B "${WORK_DI
   "-DFeatureHex_DIR=${WORK_DIR}/prefix/lib/cmake/FeatureHex"
   "-DPython3_EXECUTABLE=${PYTHON}" -Wno-dev --log-level=WARNING)
 run("${CMAKE_COMMAND}" --build "${WORK_DIR}/consumer")
-run("${WORK_DIR}/consumer/consumer" ${ARGUMENTS})
+run("${WORK_DIR}/consumer/consumer" "${SOURCE_DIR}/Data/blob.obj" "${WORK_DIR}/blob.vtu")
