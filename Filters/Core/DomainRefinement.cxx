@@ -201,7 +201,8 @@ double CellSizeMap::At(const Vec3& p) const
           [](const Entry& e, const std::array<int, 4>& key) { return e.Key < key; });
         for (; entry != this->Entries.end() && entry->Key <= last; ++entry)
         {
-          const double distance = (this->Centers[entry->Cell] - p).norm() / this->Sizes[entry->Cell];
+          const double distance =
+            (this->Centers[entry->Cell] - p).norm() / this->Sizes[entry->Cell];
           if (distance < nearest)
           {
             nearest = distance;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the octree has to be finer because the labelled hexes lose parts or topology of the surface.
+/// Where the octree has to be finer because the labelled hexes lose parts or topology of the
+/// surface.
 
 #ifndef featurehex_DomainRefinement_h
 #define featurehex_DomainRefinement_h
@@ -39,10 +40,10 @@ private:
   int Levels = 0;
 };
 
-/// Fill domain.MissingPoints and, when the topology differs, domain.TopologyPoints: in the shells that
-/// differ the missing samples; without any, samples where the solid or the gap outside is thinner
-/// than ThinLimit cells, with a limit that grows until there are some; for extra shells of the
-/// interface their own places.
+/// Fill domain.MissingPoints and, when the topology differs, domain.TopologyPoints: in the shells
+/// that differ the missing samples; without any, samples where the solid or the gap outside is
+/// thinner than ThinLimit cells, with a limit that grows until there are some; for extra shells of
+/// the interface their own places.
 void FindDomainRefinement(const HexMesh& mesh, const SurfaceMesh& surface,
   const TriangleSearch& search, const CellSizeMap& sizes, const DomainOptions& options,
   HexDomain& domain);

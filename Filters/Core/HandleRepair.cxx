@@ -186,8 +186,8 @@ private:
     }
     const int before = this->LocalEuler(set);
     this->Flip(set);
-    // One handle less: the Euler characteristic of the interface grows by 2. So it does when the flip tears
-    // off a component, which the last test excludes.
+    // One handle less: the Euler characteristic of the interface grows by 2. So it does when the
+    // flip tears off a component, which the last test excludes.
     const bool good =
       this->Manifold(set) && this->LocalEuler(set) == before + 2 && this->Connected(ends);
     if (!good)

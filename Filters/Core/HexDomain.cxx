@@ -13,11 +13,12 @@ namespace featurehex
 {
 namespace
 {
-/// Distances are searched up to this many cell sizes: 1.2 diagonals of a cube. Beyond, the limit is a
-/// lower bound of the distance.
+/// Distances are searched up to this many cell sizes: 1.2 diagonals of a cube. Beyond, the limit
+/// is a lower bound of the distance.
 constexpr double NearDistance = 2.1;
 
-/// Cells whose centre is farther than this from the surface are never lonely: their label is no accident.
+/// Cells whose centre is farther than this from the surface are never lonely: their label is no
+/// accident.
 constexpr double LonelyDistance = 0.25;
 
 constexpr int MaximumRepairPasses = 4;
@@ -157,8 +158,8 @@ std::vector<char> LabelHexes(const Cells& cells, const TriangleSearch& search,
   return inside;
 }
 
-/// Labels near the surface that disagree with at least 5 neighbours. Decided on the labels as they were, and
-/// never beside another flip, so that a limb one cell thick loses its tip at most.
+/// Labels near the surface that disagree with at least 5 neighbours. Decided on the labels as they
+/// were, and never beside another flip, so that a limb one cell thick loses its tip at most.
 Index FlipLonely(
   const HexGraph& graph, const std::vector<double>& distances, std::vector<char>& inside)
 {

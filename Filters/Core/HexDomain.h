@@ -26,10 +26,10 @@ struct DomainOptions
   double LabelBias = 0.0;
   double BiasGap = 2.0; ///< local cell sizes
 
-  double TargetEdgeLength = 0.0; ///< model units: cell size of level 0; 0: the largest near the surface
+  double TargetEdgeLength = 0.0; ///< model units: cells of level 0; 0: the largest near the surface
   int MaximumLevel = 4;          ///< refinement points never ask for more
 
-  double MissingDistance = 1.0; ///< surface farther than this from the interface is lost; local cells
+  double MissingDistance = 1.0; ///< surface farther from the interface than this is lost; local cells
   double ThinLimit = 1.5;       ///< thickness or gap that explains wrong topology; local cells
   double Slack = 0.0;           ///< model units, as in ClearanceOptions
 
@@ -51,7 +51,7 @@ struct HexDomain
   Shells SurfaceShells;
   Shells InterfaceShells;
   std::vector<InterfaceQuad> Interface;
-  ShellComparison Topology; ///< Topology.Same(): shells one to one with the same Euler characteristics
+  ShellComparison Topology; ///< Topology.Same(): shells one to one, same Euler characteristics
 
   std::vector<RefinementPoint> TopologyPoints; ///< where to refine to get the topology right
   std::vector<RefinementPoint> MissingPoints;  ///< where the surface has no hexes near it
@@ -59,11 +59,11 @@ struct HexDomain
 
 /// Label, repair, compare with the surface. @a mesh must reach beyond the surface on all sides.
 ///
-/// Hexes get the sign of the distance of their centres; two face neighbours whose distances add up to
-/// more than the distance of their centres lie on the same side, so that one winding number serves
-/// each group of hexes (few are alone).
-/// Fails with InvalidMesh when the mesh ends inside the solid, with Topology when the interface could
-/// not be made a manifold. Different topology is no failure: see Topology and the refinement points.
+/// Hexes get the sign of the distance of their centres; two face neighbours whose distances add up
+/// to more than the distance of their centres lie on the same side, so that one winding number
+/// serves each group of hexes (few are alone). Fails with InvalidMesh when the mesh ends inside
+/// the solid, with Topology when the interface could not be made a manifold. Different topology is
+/// no failure: see Topology and the refinement points.
 Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
   const TriangleSearch& search, const WindingNumber& winding, const DomainOptions& options,
   Monitor& monitor, HexDomain& domain);

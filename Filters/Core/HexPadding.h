@@ -12,8 +12,8 @@ namespace featurehex
 {
 struct PaddingOptions
 {
-  /// Of the layer, in local cell sizes. Positive: layers of no thickness tangle again. Thin layers invert
-  /// fewer hexes (measured: 1 % of them at 0.1, 3 % at 0.3).
+  /// Of the layer, in local cell sizes. Positive: layers of no thickness tangle again. Thin layers
+  /// invert fewer hexes (measured: 1 % of them at 0.1, 3 % at 0.3).
   double Thickness = 0.1;
 };
 
@@ -21,18 +21,20 @@ struct PaddingOptions
 /// its layer hex). Connectivity is valid; some hexes may be inverted.
 struct PaddedMesh
 {
-  HexMesh Mesh; ///< points along a Morton curve, hexes by their lowest point: near in space, near in memory
+  /// Points along a Morton curve, hexes by their lowest point: near in space, near in memory.
+  HexMesh Mesh;
   std::vector<int> Region;         ///< per hex
   std::vector<char> IsLayer;       ///< per hex
   std::vector<Index> LayerHexes;   ///< ids of the layer hexes, ascending
-  std::vector<Index> SourceHex;    ///< per hex the hex of the unpadded mesh (layer: the one it covers)
+  std::vector<Index> SourceHex;    ///< per hex that of the unpadded mesh (layer: the one it covers)
   std::vector<Index> SourcePoint;  ///< per point the point of the unpadded mesh (two share one)
   std::vector<char> OnBoundary;    ///< per point
 };
 
-/// Keep the hexes with @a region > 0, give them a layer inwards. Interface points stay where they are and
-/// become the boundary; their inner copies move along the mean unit normal of the interface.
-/// Precondition: manifold interface (ComputeHexDomain). Fails with InvalidOption, InvalidMesh.
+/// Keep the hexes with @a region > 0, give them a layer inwards. Interface points stay where they
+/// are and become the boundary; their inner copies move along the mean unit normal of the
+/// interface. Precondition: manifold interface (ComputeHexDomain). Fails with InvalidOption,
+/// InvalidMesh.
 Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   const PaddingOptions& options, PaddedMesh& padded);
 

@@ -11,8 +11,8 @@ namespace featurehex
 {
 namespace
 {
-/// Weight of a non-manifold vertex, of the distance (in cells), and of each earlier flip of the hex in
-/// the cost of a flip (measured on 19 surfaces: 3-12 flips each, none left over).
+/// Weight of a non-manifold vertex, of the distance (in cells), and of each earlier flip of the
+/// hex in the cost of a flip (measured on 19 surfaces: 3-12 flips each, none left over).
 constexpr double VertexCost = 3.0;
 constexpr double DistanceCost = 0.3;
 constexpr double RepeatCost = 3.0;

@@ -62,12 +62,12 @@ std::vector<InterfaceQuad> InterfaceQuads(const HexMesh& mesh,
   return quads;
 }
 
-/// True when the hexes inside, or the hexes outside, are more than one face-connected group at the vertex.
-/// @a inside: 0 or 1 per hex.
+/// True when the hexes inside, or the hexes outside, are more than one face-connected group at the
+/// vertex. @a inside: 0 or 1 per hex.
 bool IsNonManifold(const HexGraph& graph, const std::vector<char>& inside, Index vertex);
 
-/// All such vertices, ascending. Without any the interface is a manifold: an edge with four interface
-/// quads has such vertices too.
+/// All such vertices, ascending. Without any the interface is a manifold: an edge with four
+/// interface quads has such vertices too.
 std::vector<Index> NonManifoldVertices(const HexGraph& graph, const std::vector<char>& inside);
 
 struct RepairResult
@@ -76,10 +76,10 @@ struct RepairResult
   std::vector<Index> NonManifoldVertices; ///< left; none unless the bound on the flips was reached
 };
 
-/// Flip hexes, adding and removing, until no vertex is non-manifold: at the lowest bad vertex the hex whose flip
-/// makes the fewest bad vertices, then the hex whose centre is nearest to the surface, never the
-/// same hex over and over. Hexes with a vertex on the border of the mesh stay outside.
-/// @a signedDistance: of the hex centres in local cell sizes, negative inside.
+/// Flip hexes, adding and removing, until no vertex is non-manifold: at the lowest bad vertex the
+/// hex whose flip makes the fewest bad vertices, then the hex whose centre is nearest to the
+/// surface, never the same hex over and over. Hexes with a vertex on the border of the mesh stay
+/// outside. @a signedDistance: of the hex centres in local cell sizes, negative inside.
 RepairResult RepairInterface(const HexGraph& graph, const std::vector<double>& signedDistance,
   Index maximumFlips, std::vector<char>& inside);
 }

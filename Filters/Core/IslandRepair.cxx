@@ -24,7 +24,7 @@ struct Piece
   Index First = 0;      ///< lowest hex
   char Inside = 0;
   bool Border = false;  ///< reaches the border of the mesh
-  Index Shell = -1;     ///< of the surface, solid for inside, cavity for outside; -1: exterior or none near
+  Index Shell = -1;     ///< solid one for inside, cavity for outside; -1: exterior or none near
 };
 
 class Islands
@@ -138,7 +138,8 @@ private:
 
   double FlipCost(Index hex) const
   {
-    const double wrong = this->Inside[hex] ? -this->Distances.Signed[hex] : this->Distances.Signed[hex];
+    const double distance = this->Distances.Signed[hex];
+    const double wrong = this->Inside[hex] ? -distance : distance;
     return HexCost + std::max(0.0, wrong);
   }
 

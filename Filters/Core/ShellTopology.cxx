@@ -44,8 +44,8 @@ private:
   std::vector<Index> Parent;
 };
 
-/// Six times the signed volume between a face and @a apex; quads as four triangles round their middle, which
-/// is what a bilinear patch encloses.
+/// Six times the signed volume between a face and @a apex; quads as four triangles round their
+/// middle, which is what a bilinear patch encloses.
 double SixVolumes(const std::vector<Vec3>& points, const Triangle& t, const Vec3& apex)
 {
   return (points[t[0]] - apex).dot((points[t[1]] - apex).cross(points[t[2]] - apex));
@@ -77,8 +77,8 @@ Shells FindShellsOf(const std::vector<Vec3>& points, const std::vector<Face>& fa
       const Index a = face[k];
       const Index b = face[(k + 1) % face.size()];
       sets.Join(face[0], a);
-      edges.push_back(
-        static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b)));
+      const std::uint64_t low = static_cast<std::uint32_t>(std::min(a, b));
+      edges.push_back(low << 32 | static_cast<std::uint32_t>(std::max(a, b)));
     }
   }
   std::sort(edges.begin(), edges.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Components of closed surfaces one by one: Euler characteristic, solid or cavity, which one is which.
+/// Components of closed surfaces one by one: Euler characteristic, solid or cavity, which one is
+/// which.
 
 #ifndef featurehex_ShellTopology_h
 #define featurehex_ShellTopology_h
@@ -53,8 +54,8 @@ struct ShellComparison
   bool Same() const { return this->Report.empty(); }
 };
 
-/// Match each mesh shell to a surface shell (that of the closest triangles of most of its points, among
-/// those that are solid or cavity like it) and compare one by one.
+/// Match each mesh shell to a surface shell (that of the closest triangles of most of its points,
+/// among those that are solid or cavity like it) and compare one by one.
 ShellComparison CompareShells(const Shells& surface, const TriangleSearch& search,
   const Shells& mesh, const std::vector<Vec3>& meshPoints, const std::vector<Quad>& meshQuads);
 }

@@ -12,8 +12,8 @@ namespace featurehex
 {
 namespace
 {
-/// Bound of the samples before thinning; a wider spacing keeps it. A surface with more cells than that
-/// could not be meshed anyway.
+/// Bound of the samples before thinning; a wider spacing keeps it. A surface with more cells than
+/// that could not be meshed anyway.
 constexpr double MaximumSamples = 2e7;
 
 constexpr int MaximumShrinks = 12;
@@ -86,8 +86,9 @@ struct Rows
   }
 };
 
-/// Point of the convex hull of unit vectors that is nearest to the origin: the direction in which all
-/// distances grow at least with its length (a few Frank-Wolfe steps; the hull has at most a few corners).
+/// Point of the convex hull of unit vectors that is nearest to the origin: the direction in which
+/// all distances grow at least with its length (a few Frank-Wolfe steps; the hull has at most a
+/// few corners).
 Vec3 SteepestAscent(const std::vector<Vec3>& gradients)
 {
   Vec3 best = gradients.back();

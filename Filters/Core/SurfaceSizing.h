@@ -19,13 +19,15 @@ struct SurfaceSample
   Index Triangle;
 };
 
-/// Samples at about @a spacing (model units): in rows along the longest edge of each triangle, at least
-/// one; of samples that share a grid cell of that size and the main direction of the normal only
-/// the first stays. Ordered by triangle. The spacing grows where it would make more than 2e7 samples.
+/// Samples at about @a spacing (model units): in rows along the longest edge of each triangle, at
+/// least one; of samples that share a grid cell of that size and the main direction of the normal
+/// only the first stays. Ordered by triangle. The spacing grows where it would make more than 2e7
+/// samples.
 std::vector<SurfaceSample> SampleSurface(const SurfaceMesh& surface, double spacing);
 
-/// Of points of the same level in the same grid cell (edge = @a baseSize halved level times) only the
-/// first stays; order kept. The octree refines more than one cell round a point, so nothing is lost.
+/// Of points of the same level in the same grid cell (edge = @a baseSize halved level times) only
+/// the first stays; order kept. The octree refines more than one cell round a point, so nothing is
+/// lost.
 std::vector<RefinementPoint> ThinRefinementPoints(
   const std::vector<RefinementPoint>& points, double baseSize);
 
@@ -45,15 +47,15 @@ struct ClearanceOptions
   double RelativeSlack = 0.75;
 };
 
-/// Radius of the largest ball on one side of the surface that the surface doesn't cut and that comes
-/// within max(Slack, RelativeSlack * radius) of the sample, at most MaximumRadius. A scratch, a pore or a
-/// ridge shallower than the slack doesn't make it small, nor does a wedge wider than 2
-/// asin(1 / (1 + RelativeSlack)); thin walls, limbs and narrow gaps do.
-/// The first ball is the shrinking ball of J. Ma, S. Bae, S. Choi, "3D medial axis point approximation
-/// using nearest neighbors and the normal field", The Visual Computer 28, 2012,
-/// doi:10.1007/s00371-011-0594-7; from there the centre climbs the distance field in steps that stay in
-/// the current ball, so it can't pass through the surface. A lower bound, some percent short at most
-/// unless the way up is a maze: the climb ends after 30 steps.
+/// Radius of the largest ball on one side of the surface that the surface doesn't cut and that
+/// comes within max(Slack, RelativeSlack * radius) of the sample, at most MaximumRadius. A
+/// scratch, a pore or a ridge shallower than the slack doesn't make it small, nor does a wedge
+/// wider than 2 asin(1 / (1 + RelativeSlack)); thin walls, limbs and narrow gaps do. The first
+/// ball is the shrinking ball of J. Ma, S. Bae, S. Choi, "3D medial axis point approximation using
+/// nearest neighbors and the normal field", The Visual Computer 28, 2012,
+/// doi:10.1007/s00371-011-0594-7; from there the centre climbs the distance field in steps that
+/// stay in the current ball, so it can't pass through the surface. A lower bound, some percent
+/// short at most unless the way up is a maze: the climb ends after 30 steps.
 double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
   const ClearanceOptions& options);
 

@@ -9,19 +9,19 @@
 
 namespace featurehex
 {
-/// For a closed surface oriented outward (cavities inward) the number is 1 in the solid, 0 outside and
-/// in cavities, and it changes by 1 across the surface; gaps and overlaps only blur it.
-/// Near groups of triangles are summed exactly (solid angles: A. van Oosterom, J. Strackee, 1983), far
+/// For a closed surface oriented outward (cavities inward) the number is 1 in the solid, 0 outside
+/// and in cavities, and it changes by 1 across the surface; gaps and overlaps only blur it. Near
+/// groups of triangles are summed exactly (solid angles: A. van Oosterom, J. Strackee, 1983), far
 /// groups by their dipole: G. Barill, N. Dickson, R. Schmidt, D. Levin, A. Jacobson, "Fast Winding
-/// Numbers for Soups and Clouds", ACM TOG 37(4), 2018, doi:10.1145/3197517.3201337.
-/// Queries are const, may run in parallel and always sum in the same order.
+/// Numbers for Soups and Clouds", ACM TOG 37(4), 2018, doi:10.1145/3197517.3201337. Queries are
+/// const, may run in parallel and always sum in the same order.
 class WindingNumber
 {
 public:
   WindingNumber() = default;
 
-  /// @a accuracy: a group counts as far when it is more than this many of its radii away (the paper:
-  /// 2; larger is slower and closer to the exact sum).
+  /// @a accuracy: a group counts as far when it is more than this many of its radii away (the
+  /// paper: 2; larger is slower and closer to the exact sum).
   WindingNumber(
     const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, double accuracy = 2.5);
 

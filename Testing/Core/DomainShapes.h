@@ -26,7 +26,8 @@ using namespace featurehex;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Grid of n x m quads cut in triangles; @a position(i, j) for i in [0, n), j in [0, m), both periodic.
+/// Grid of n x m quads cut in triangles; @a position(i, j) for i in [0, n), j in [0, m), both
+/// periodic.
 inline SurfaceMesh PeriodicGrid(int n, int m, const std::function<Vec3(double, double)>& position)
 {
   SurfaceMesh mesh;

@@ -65,7 +65,8 @@ TEST(HandleRepair, NeverTearsOffAComponent)
 {
   const HexMesh mesh = Grid(N);
   const HexGraph graph(mesh);
-  // Two plates joined by a single hex: no handle, though flipping it raises the Euler characteristic too.
+  // Two plates joined by a single hex: no handle, though flipping it raises the Euler
+  // characteristic too.
   std::vector<char> inside = Labels(N, [](int x, int y, int z) {
     const bool plates = (z == 3 || z == 5) && x > 0 && x < N - 1 && y > 0 && y < N - 1;
     return plates || (z == 4 && x == 7 && y == 5);

@@ -44,7 +44,8 @@ SurfaceTopology InterfaceTopology(const HexMesh& mesh, const HexDomain& domain)
 }
 
 /// Everything the stage promises when the resolution is sufficient.
-void ExpectSameTopology(const Shape& shape, const HexMesh& mesh, const HexDomain& domain, int bodies)
+void ExpectSameTopology(
+  const Shape& shape, const HexMesh& mesh, const HexDomain& domain, int bodies)
 {
   EXPECT_TRUE(domain.Topology.Same()) << domain.Topology.Report;
   EXPECT_TRUE(domain.TopologyPoints.empty());

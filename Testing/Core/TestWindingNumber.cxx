@@ -60,8 +60,9 @@ TEST(WindingNumber, RightNextToTheSurface)
 
 TEST(WindingNumber, CavitiesAndNestedSolids)
 {
-  const SurfaceMesh surface = Together(Together(Sphere(Vec3::Zero(), 3), Flipped(Sphere(Vec3::Zero(), 2))),
-    Sphere(Vec3::Zero(), 1));
+  const SurfaceMesh hollow =
+    Together(Sphere(Vec3::Zero(), 3), Flipped(Sphere(Vec3::Zero(), 2)));
+  const SurfaceMesh surface = Together(hollow, Sphere(Vec3::Zero(), 1));
   const WindingNumber winding(surface);
   EXPECT_TRUE(winding.Inside(Vec3(0, 0, 0.3)));
   EXPECT_FALSE(winding.Inside(Vec3(0, 1.5, 0)));
