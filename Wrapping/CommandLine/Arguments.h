@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// What was asked for on the command line.
+
+#ifndef featurehex_Arguments_h
+#define featurehex_Arguments_h
+
+#include <string>
+
+namespace featurehex
+{
+struct MeshArguments
+{
+  std::string Input;
+  std::string Output;
+  std::string Report; ///< empty: none
+  int Threads = 0;    ///< 0: all cores
+
+  // Defaults and ranges are those of vtkFeatureHexMesher.
+  double Tolerance = 0.0;
+  double EdgeLength = 0.0;
+  int MaximumLevel = 0;
+  long long MaximumNumberOfCells = 0;
+  int MaximumRounds = 0;
+  double MinimumScaledJacobian = 0.0;
+  bool Align = false;
+  double TimeLimit = 0.0;
+};
+
+struct CheckArguments
+{
+  std::string Mesh;
+  std::string Surface; ///< empty: only what can be told without one
+  std::string Report;  ///< empty: none
+  int Threads = 0;     ///< 0: all cores
+  double Tolerance = 0.0;
+};
+} // namespace featurehex
+
+#endif

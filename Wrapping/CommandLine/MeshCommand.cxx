@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands.h"
+
+#include "Figures.h"
+#include "FileAccess.h"
+#include "Report.h"
+#include "RunAlgorithm.h"
+#include "Threads.h"
+
+#include "vtkFeatureHexMesher.h"
+#include "vtkHexMeshWriter.h"
+#include "vtkSurfaceFileReader.h"
+
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+namespace featurehex
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Writable without touching what is there.
+Status CheckWritable(const std::string& path)
+{
+  PendingFile file;
+  return file.Open(path); // the destructor removes it
+}
+
+Status CheckDifferent(const std::string& a, const std::string& b)
+{
+  std::error_code ignored;
+  const bool same = a == b || fs::equivalent(a, b, ignored);
+  return same ? Status(StatusCode::InvalidOption,
+                  "\"" + a + "\" can't be two files of this run; give them different names.")
+              : Status();
+}
+
+/// Everything that can be said about the names before hours of work.
+Status CheckFiles(const MeshArguments& arguments)
+{
+  const std::string extension = FileExtension(arguments.Output);
+  if (extension != ".vtu" && extension != ".vtk" && extension != ".mesh")
+  {
+    return Status(StatusCode::InvalidOption,
+      "\"" + arguments.Output + "\": hex meshes are written as .vtu, .vtk or .mesh.");
+  }
+  Status status = CheckDifferent(arguments.Input, arguments.Output);
+  if (status.Ok())
+  {
+    status = CheckWritable(arguments.Output);
+  }
+  if (!status.Ok() || arguments.Report.empty())
+  {
+    return status;
+  }
+  for (const std::string& other : { arguments.Input, arguments.Output })
+  {
+    status = CheckDifferent(other, arguments.Report);
+    if (!status.Ok())
+    {
+      return status;
+    }
+  }
+  return CheckWritable(arguments.Report);
+}
+
+void AddOptions(const MeshArguments& arguments, Report& report)
+{
+  report["input"] = { { "file", arguments.Input } };
+  report["output"] = { { "file", arguments.Output } };
+  report["options"] = { { "tolerance", arguments.Tolerance },
+    { "edge-length", arguments.EdgeLength }, { "features", false },
+    { "max-level", arguments.MaximumLevel }, { "max-cells", arguments.MaximumNumberOfCells },
+    { "max-rounds", arguments.MaximumRounds },
+    { "min-scaled-jacobian", arguments.MinimumScaledJacobian }, { "align", arguments.Align },
+    { "time-limit", arguments.TimeLimit }, { "threads", arguments.Threads } };
+}
+
+void SetOptions(const MeshArguments& arguments, vtkFeatureHexMesher* mesher)
+{
+  mesher->SetTolerance(arguments.Tolerance);
+  mesher->SetTargetEdgeLength(arguments.EdgeLength);
+  mesher->SetMaximumLevel(arguments.MaximumLevel);
+  mesher->SetMaximumNumberOfCells(arguments.MaximumNumberOfCells);
+  mesher->SetMaximumRounds(arguments.MaximumRounds);
+  mesher->SetMinimumScaledJacobian(arguments.MinimumScaledJacobian);
+  mesher->SetAlignToPrincipalAxes(arguments.Align);
+  mesher->SetTimeLimit(arguments.TimeLimit);
+}
+
+bool StartsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// Times and memory: in the report, not among the figures, and not in the file of the mesh, which
+/// shall be the same bytes on each run.
+bool Measured(const std::string& name)
+{
+  return StartsWith(name, "Seconds") || name == "PeakMemoryMiB";
+}
+
+void AddStatistics(vtkTable* table, Report& report)
+{
+  for (const auto& [name, value] : FiguresOf(table))
+  {
+    if (StartsWith(name, "Seconds") && name != "SecondsTotal")
+    {
+      report.AddStage(name.substr(7), value);
+    }
+    else if (!Measured(name) && !StartsWith(name, "Option"))
+    {
+      report.AddFigure(name, value);
+    }
+  }
+}
+
+/// What goes into the file.
+void CopyForFile(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* copy)
+{
+  copy->ShallowCopy(mesh);
+  vtkFieldData* fields = copy->GetFieldData();
+  for (int i = fields->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const std::string name = fields->GetArrayName(i) ? fields->GetArrayName(i) : "";
+    if (Measured(name))
+    {
+      fields->RemoveArray(i);
+    }
+  }
+}
+
+/// Reads, meshes, writes; @a summary is for people.
+Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std::string& summary)
+{
+  double before = report.Seconds();
+  vtkNew<vtkSurfaceFileReader> reader;
+  reader->SetFileName(arguments.Input.c_str());
+  Status status = RunAlgorithm(reader, StatusCode::UnreadableFile, log);
+  report.AddStage("Reading", report.Seconds() - before);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  report["input"]["points"] = reader->GetOutput()->GetNumberOfPoints();
+  report["input"]["faces"] = reader->GetOutput()->GetNumberOfCells();
+
+  vtkNew<vtkFeatureHexMesher> mesher;
+  mesher->SetInputDataObject(reader->GetOutput());
+  SetOptions(arguments, mesher);
+  status = RunAlgorithm(mesher, StatusCode::Validation, log);
+  auto* statistics = vtkTable::SafeDownCast(mesher->GetOutputDataObject(3));
+  AddStatistics(statistics, report);
+  report["rounds"] = { { "count", FigureOf(statistics, "Rounds") },
+    { "reasons", TextOf(statistics, "RoundReasons") } };
+  if (!status.Ok())
+  {
+    return status;
+  }
+
+  summary = SummaryLine(statistics);
+  before = report.Seconds();
+  vtkNew<vtkUnstructuredGrid> mesh;
+  CopyForFile(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)), mesh);
+  vtkNew<vtkHexMeshWriter> writer;
+  writer->SetInputData(mesh);
+  writer->SetFileName(arguments.Output.c_str());
+  status = RunAlgorithm(writer, StatusCode::UnwritableFile, log);
+  report.AddStage("Writing", report.Seconds() - before);
+  return status;
+}
+} // namespace
+
+Status RunMesh(const MeshArguments& arguments)
+{
+  Report report("mesh");
+  const Status files = CheckFiles(arguments);
+  if (!files.Ok())
+  {
+    return files;
+  }
+  UseThreads(arguments.Threads);
+  AddOptions(arguments, report);
+  RunLog log;
+  std::string summary;
+  Status status = MakeMesh(arguments, log, report, summary);
+  report.AddLog(log);
+  const Status written = report.Write(arguments.Report, status);
+  if (status.Ok())
+  {
+    status = written;
+  }
+  if (status.Ok())
+  {
+    for (const std::string& warning : log.Warnings)
+    {
+      PrintWarning(warning);
+    }
+    std::printf("%s: %s, %.1f s, %.0f MB\n", FileBaseName(arguments.Output).c_str(),
+      summary.c_str(), report.Seconds(), 1e-6 * PeakMemory());
+  }
+  return status;
+}
+} // namespace featurehex

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Surface to hex mesh stage by stage, through ParaView's proxies:
+
+    pvpython stages.py FeatureHex.so surface.stl mesh.vtu
+
+Each stage is a filter of the pipeline, to look at or to replace. Where the cells are too coarse, a
+stage has refinement points on its port 1, and the next round starts from an octree with them.
+"""
+import sys
+
+from paraview.simple import *
+from paraview import servermanager
+from vtkmodules.vtkCommonCore import vtkSMPTools
+
+TOLERANCE = 0.01
+ROUNDS = 8
+
+
+def has_points(port):
+    port.Proxy.UpdatePipeline()
+    return servermanager.Fetch(port).GetNumberOfPoints() > 0
+
+
+def round_of_stages(surface, refinement):
+    """(mesh, None), or (None, refinement points for the next round)."""
+    octree = SurfaceOctree(Surface=surface, Tolerance=TOLERANCE)
+    if refinement:
+        octree.RefinementPoints = refinement
+    dual = OctreeDualHex(Octree=octree)
+    domain = HexDomain(Mesh=dual, Surface=surface, Tolerance=TOLERANCE)
+    if has_points(OutputPort(domain, 1)):
+        return None, OutputPort(domain, 1)
+    padded = HexPadding(Mesh=domain)
+    untangled = HexUntangle(Mesh=padded, Surface=surface)
+    fitted = HexFitting(Mesh=untangled, Surface=surface, Tolerance=TOLERANCE)
+    if has_points(OutputPort(fitted, 1)):
+        return None, OutputPort(fitted, 1)
+    return OutputPort(fitted, 0), None
+
+
+plugin, surface_file, mesh_file = sys.argv[1:4]
+LoadPlugin(plugin, ns=globals())
+# ParaView's default is one thread.
+vtkSMPTools.SetBackend("STDThread")
+
+surface = OutputPort(SurfaceFeature(Surface=OpenDataFile(surface_file)), 0)
+mesh = None
+refinement = []
+while mesh is None and len(refinement) < ROUNDS:
+    mesh, points = round_of_stages(surface, refinement)
+    if points is not None:
+        refinement.append(points)
+        print("round %d: %d places need finer cells" % (
+            len(refinement), servermanager.Fetch(points).GetNumberOfPoints()))
+if mesh is None:
+    raise RuntimeError("not within the tolerance after %d rounds" % ROUNDS)
+
+validated = HexValidation(Mesh=mesh, Surface=surface, Tolerance=TOLERANCE)
+validated.UpdatePipeline()
+figures = servermanager.Fetch(OutputPort(validated, 1))
+if figures.GetColumnByName("Valid").GetComponent(0, 0) != 1:
+    raise RuntimeError(figures.GetColumnByName("Verdict").GetValue(0))
+print("%d hexes, valid" % figures.GetColumnByName("NumberOfHexes").GetComponent(0, 0))
+
+# ParaView of Debian 12 can't read its own appended data.
+SaveData(mesh_file, OutputPort(validated, 0), DataMode="Binary")
