@@ -5,7 +5,6 @@
 #ifndef featurehex_HexFitting_h
 #define featurehex_HexFitting_h
 
-#include "HexUntangling.h"
 #include "Monitor.h"
 #include "SurfaceEnvelope.h"
 

@@ -47,17 +47,16 @@ std::vector<Index> NeighborBlocks(const std::vector<Hex>& hexes, const IdLists& 
 
 VertexSchedule::VertexSchedule(
   const std::vector<Hex>& hexes, const IdLists& hexesOfVertex, int rings)
-  : VertexCount(hexesOfVertex.size())
-  , BlockSize(std::clamp(hexesOfVertex.size() / 64, 32, 512))
-  , BlockCount((this->VertexCount + this->BlockSize - 1) / this->BlockSize)
 {
-  std::vector<Index> color(this->BlockCount, -1);
-  std::vector<Index> visited(this->VertexCount, -1);
-  for (Index block = 0; block < this->BlockCount; ++block)
+  const Index vertexCount = hexesOfVertex.size();
+  const Index blockSize = std::clamp(vertexCount / 64, 32, 512);
+  const Index blockCount = (vertexCount + blockSize - 1) / blockSize;
+  std::vector<Index> color(blockCount, -1);
+  std::vector<Index> visited(vertexCount, -1);
+  for (Index block = 0; block < blockCount; ++block)
   {
     std::vector<bool> used(this->Colors.size() + 1, false);
-    for (Index other :
-      NeighborBlocks(hexes, hexesOfVertex, block, this->BlockSize, rings, visited))
+    for (Index other : NeighborBlocks(hexes, hexesOfVertex, block, blockSize, rings, visited))
     {
       if (other != block && color[other] >= 0)
       {
@@ -70,7 +69,8 @@ VertexSchedule::VertexSchedule(
       this->Colors.emplace_back();
     }
     color[block] = static_cast<Index>(free);
-    this->Colors[free].push_back(block);
+    this->Colors[free].push_back(
+      { block * blockSize, std::min((block + 1) * blockSize, vertexCount) });
   }
 }
 }

@@ -30,31 +30,35 @@ public:
   template <typename Visit>
   std::size_t Sweep(const Visit& visit) const
   {
-    std::vector<std::size_t> counts(this->BlockCount, 0);
-    for (const std::vector<Index>& blocks : this->Colors)
+    std::size_t total = 0;
+    for (const std::vector<Block>& blocks : this->Colors)
     {
+      std::vector<std::size_t> counts(blocks.size(), 0);
       ParallelFor(blocks.size(), 1, [&](std::size_t i) {
-        const Index block = blocks[i];
-        const Index end = std::min((block + 1) * this->BlockSize, this->VertexCount);
-        for (Index v = block * this->BlockSize; v < end; ++v)
+        for (Index v = blocks[i].First; v < blocks[i].Last; ++v)
         {
-          counts[block] += visit(v) ? 1 : 0;
+          counts[i] += visit(v) ? 1 : 0;
         }
       });
-    }
-    std::size_t total = 0;
-    for (std::size_t count : counts)
-    {
-      total += count;
+      for (std::size_t count : counts)
+      {
+        total += count;
+      }
     }
     return total;
   }
 
+  /// Vertices First to Last - 1.
+  struct Block
+  {
+    Index First, Last;
+  };
+
+  /// The blocks of each colour, in the order of a sweep.
+  const std::vector<std::vector<Block>>& BlocksByColor() const { return this->Colors; }
+
 private:
-  Index VertexCount = 0;
-  Index BlockSize = 1;
-  Index BlockCount = 0;
-  std::vector<std::vector<Index>> Colors;
+  std::vector<std::vector<Block>> Colors;
 };
 }
 
