@@ -102,4 +102,21 @@ std::vector<int> PatchesOfShells(const std::vector<Vec3>& points, const std::vec
   }
   return result;
 }
+
+std::vector<Index> NearestQuads(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
+  const std::vector<Vec3>& places)
+{
+  std::vector<Triangle> triangles;
+  triangles.reserve(2 * quads.size());
+  for (const Quad& q : quads)
+  {
+    triangles.push_back({ q[0], q[1], q[2] });
+    triangles.push_back({ q[0], q[2], q[3] });
+  }
+  const TriangleSearch search(points, std::move(triangles));
+  std::vector<Index> nearest(places.size());
+  ParallelFor(places.size(), 256,
+    [&](std::size_t i) { nearest[i] = search.Closest(places[i]).Triangle / 2; });
+  return nearest;
+}
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which part of the input surface each boundary quad of a finished mesh belongs to.
+/// Boundary quads and the input surface: which part of it they belong to, which quad is near a place.
 
 #ifndef featurehex_BoundaryPatches_h
 #define featurehex_BoundaryPatches_h
@@ -16,6 +16,10 @@ namespace featurehex
 /// Precondition: ids exist, points are finite.
 std::vector<int> PatchesOfShells(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
   const SurfaceMesh& surface, const std::vector<Index>& patchOfTriangle);
+
+/// For each of @a places the quad that is closest to it; quads count as two triangles.
+std::vector<Index> NearestQuads(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
+  const std::vector<Vec3>& places);
 }
 
 #endif

@@ -99,9 +99,10 @@ bool NeedsTriangulation(vtkPolyData* input, const std::vector<Vec3>& points)
   return polygons && sound;
 }
 
-Index IdOrNone(vtkIdType id, std::size_t points)
+/// Ids beyond 32 bits must not become ids of other points.
+Index ShortId(vtkIdType id)
 {
-  return id >= 0 && id < static_cast<vtkIdType>(points) ? static_cast<Index>(id) : -1;
+  return id >= 0 && id <= std::numeric_limits<Index>::max() ? static_cast<Index>(id) : -1;
 }
 
 std::string CellName(vtkUnstructuredGrid* grid, vtkIdType cell)
@@ -153,10 +154,9 @@ SurfaceMesh SurfaceFromPolyData(vtkPolyData* input)
     cut->Update();
     polygons = cut->GetOutput()->GetPolys();
   }
-  const std::size_t count = surface.Points.size();
   surface.Triangles.reserve(static_cast<std::size_t>(polygons->GetNumberOfCells()));
   const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-    surface.Triangles.push_back({ IdOrNone(a, count), IdOrNone(b, count), IdOrNone(c, count) });
+    surface.Triangles.push_back({ ShortId(a), ShortId(b), ShortId(c) });
   };
   ForEachCell(polygons, [&](const vtkIdType* ids, vtkIdType n) {
     for (vtkIdType i = 2; i < n; ++i)

@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-class vtkCellData;
 class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkInformationVector;
@@ -26,7 +25,7 @@ class vtkUnstructuredGrid;
 namespace featurehex
 {
 //--- surfaces -------------------------------------------------------------------------------------
-/// Triangles, strips and polygons of @a input as triangles; ids that don't exist become -1. Unchecked.
+/// Triangles, strips and polygons of @a input as triangles. Unchecked; ids beyond 32 bits become -1.
 SurfaceMesh SurfaceFromPolyData(vtkPolyData* input);
 
 /// SurfaceFromPolyData() and CheckSurface(): ready for every stage.

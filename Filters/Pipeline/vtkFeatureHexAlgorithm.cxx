@@ -4,7 +4,7 @@
 #include "AlgorithmMonitor.h"
 #include "ArrayNames.h"
 
-#include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -75,6 +75,16 @@ vtkFeatureHexAlgorithm::vtkFeatureHexAlgorithm() = default;
 vtkFeatureHexAlgorithm::~vtkFeatureHexAlgorithm() = default;
 
 //------------------------------------------------------------------------------
+void vtkFeatureHexAlgorithm::WarnAboutFeatures(vtkInformationVector* input)
+{
+  vtkDataSet* features = vtkDataSet::GetData(input);
+  if (features && features->GetNumberOfCells() > 0)
+  {
+    vtkWarningMacro("The features are not used: this version doesn't mesh sharp features.");
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkFeatureHexAlgorithm::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector*)
 {
@@ -136,6 +146,10 @@ int vtkFeatureHexAlgorithm::RequestData(
   try
   {
     status = this->Compute(inputs, outputs, monitor);
+    if (status.Ok())
+    {
+      status = monitor.StopStatus();
+    }
   }
   catch (const std::bad_alloc&)
   {

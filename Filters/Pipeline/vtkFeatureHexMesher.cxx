@@ -146,11 +146,7 @@ int vtkFeatureHexMesher::FillOutputPortInformation(int port, vtkInformation* inf
 featurehex::Status vtkFeatureHexMesher::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
-  vtkPolyData* annotation = vtkPolyData::GetData(inputs[1]);
-  if (annotation && annotation->GetNumberOfCells() > 0)
-  {
-    vtkWarningMacro("The feature annotation is not used: this version doesn't mesh sharp features.");
-  }
+  this->WarnAboutFeatures(inputs[1]);
   MeshingOptions options;
   options.Tolerance = this->Tolerance;
   options.TargetEdgeLength = this->TargetEdgeLength;
