@@ -14,6 +14,7 @@
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -123,15 +124,16 @@ void AddStatistics(vtkTable* table, Report& report)
   }
 }
 
-/// What goes into the file.
-void CopyForFile(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* copy)
+/// What goes into the file. Many programs that read legacy VTK stumble over strings.
+void CopyForFile(vtkUnstructuredGrid* mesh, bool legacy, vtkUnstructuredGrid* copy)
 {
   copy->ShallowCopy(mesh);
   vtkFieldData* fields = copy->GetFieldData();
   for (int i = fields->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     const std::string name = fields->GetArrayName(i) ? fields->GetArrayName(i) : "";
-    if (Measured(name))
+    const bool text = vtkStringArray::SafeDownCast(fields->GetAbstractArray(i)) != nullptr;
+    if (Measured(name) || (legacy && text))
     {
       fields->RemoveArray(i);
     }
@@ -169,7 +171,8 @@ Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std
   summary = SummaryLine(statistics);
   before = report.Seconds();
   vtkNew<vtkUnstructuredGrid> mesh;
-  CopyForFile(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)), mesh);
+  CopyForFile(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)),
+    FileExtension(arguments.Output) == ".vtk", mesh);
   vtkNew<vtkHexMeshWriter> writer;
   writer->SetInputData(mesh);
   writer->SetFileName(arguments.Output.c_str());

@@ -17,7 +17,7 @@ LoadPlugin(plugin, ns=globals())
 vtkSMPTools.SetBackend("STDThread")
 
 surface = OpenDataFile(surface_file)
-mesher = FeatureHexMesher(Surface=surface)
+mesher = FeatureHexMesher(Input=surface)
 mesher.Tolerance = 0.01
 mesher.UpdatePipeline()
 

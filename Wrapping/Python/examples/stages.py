@@ -23,16 +23,16 @@ def has_points(port):
 
 def round_of_stages(surface, refinement):
     """(mesh, None), or (None, refinement points for the next round)."""
-    octree = SurfaceOctree(Surface=surface, Tolerance=TOLERANCE)
+    octree = SurfaceOctree(Input=surface, Tolerance=TOLERANCE)
     if refinement:
         octree.RefinementPoints = refinement
-    dual = OctreeDualHex(Octree=octree)
-    domain = HexDomain(Mesh=dual, Surface=surface, Tolerance=TOLERANCE)
+    dual = OctreeDualHex(Input=octree)
+    domain = HexDomain(Input=dual, Surface=surface, Tolerance=TOLERANCE)
     if has_points(OutputPort(domain, 1)):
         return None, OutputPort(domain, 1)
-    padded = HexPadding(Mesh=domain)
-    untangled = HexUntangle(Mesh=padded, Surface=surface)
-    fitted = HexFitting(Mesh=untangled, Surface=surface, Tolerance=TOLERANCE)
+    padded = HexPadding(Input=domain)
+    untangled = HexUntangle(Input=padded, Surface=surface)
+    fitted = HexFitting(Input=untangled, Surface=surface, Tolerance=TOLERANCE)
     if has_points(OutputPort(fitted, 1)):
         return None, OutputPort(fitted, 1)
     return OutputPort(fitted, 0), None
@@ -43,7 +43,7 @@ LoadPlugin(plugin, ns=globals())
 # ParaView's default is one thread.
 vtkSMPTools.SetBackend("STDThread")
 
-surface = OutputPort(SurfaceFeature(Surface=OpenDataFile(surface_file)), 0)
+surface = OutputPort(SurfaceFeature(Input=OpenDataFile(surface_file)), 0)
 mesh = None
 refinement = []
 while mesh is None and len(refinement) < ROUNDS:
@@ -55,7 +55,7 @@ while mesh is None and len(refinement) < ROUNDS:
 if mesh is None:
     raise RuntimeError("not within the tolerance after %d rounds" % ROUNDS)
 
-validated = HexValidation(Mesh=mesh, Surface=surface, Tolerance=TOLERANCE)
+validated = HexValidation(Input=mesh, Surface=surface, Tolerance=TOLERANCE)
 validated.UpdatePipeline()
 figures = servermanager.Fetch(OutputPort(validated, 1))
 if figures.GetColumnByName("Valid").GetComponent(0, 0) != 1:
