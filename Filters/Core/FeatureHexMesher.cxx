@@ -23,7 +23,13 @@ namespace
 {
 constexpr double CellsPerSide = 26;      // default target edge length: longest side / 26 (the paper's)
 constexpr double RefineBeyond = 1.4;     // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
-constexpr double SampleSpacing = 0.7;    // tolerances, between samples of the input
+constexpr double SampleSpacing = 0.5;    // tolerances, between samples of the input (recipe-quality 2)
+constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
+constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
+constexpr double StuckBand = 0.05;       // above the minimum
+constexpr int MaximumQualityRounds = 3;
+constexpr int MaximumProofs = 4;         // of the distance, in one round
+constexpr double ShareStep = 0.01;       // tightening of the sampled limit after a failed proof
 constexpr int QuadGrid = 7;              // samples per quad side (recipe-quality 3)
 
 /// Adds the wall time between construction and destruction to a stage.
@@ -95,6 +101,8 @@ private:
   Outcome Fit(Status& status);
   Outcome Improve(Status& status);
   Outcome Validate(Status& status);
+  Outcome RaiseQuality(Status& status);
+  void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
   std::vector<Vec3> PlacesBeyond(double tolerances);
@@ -112,6 +120,8 @@ private:
   std::unique_ptr<CertifiedDistance> Distance;
   std::vector<Vec3> Samples;
   std::vector<RefinementPoint> Points;
+  int QualityRounds = 0;
+  MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
   // Of the current round.
   BlockOctree Octree;
@@ -242,6 +252,7 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
     domain.TargetEdgeLength = this->EdgeLength;
     domain.MaximumLevel = this->Options.MaximumLevel;
     domain.Slack = this->AbsoluteTolerance();
+    domain.LabelBias = LabelBias;
     status = ComputeHexDomain(this->Dual, this->Surface->Mesh(), this->Surface->Search(),
       this->Winding, domain, this->Progress, this->Domain);
   }
@@ -352,45 +363,56 @@ Mesher::Outcome Mesher::Fit(Status& status)
   return Outcome::Done;
 }
 
+/// Improves until the distance is proven. Where a proof fails, the samples were too coarse: its witnesses become
+/// samples, and the limit gets a little tighter.
 Mesher::Outcome Mesher::Improve(Status& status)
 {
   const StageClock clock(this->Result.Timings, "improving");
-  this->BeginPhase("improving the worst hexes", 0.55, 0.9);
   ImprovementOptions improvement;
   improvement.Tolerance = this->Options.Tolerance;
   improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
-  status = ImproveHexes(this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope, improvement,
-    this->Result.Improvement, this->Progress);
-  if (!status.Ok())
+  std::vector<Vec3> places;
+  for (int proof = 0; proof < MaximumProofs; ++proof)
   {
-    return Outcome::Failed;
-  }
-  if (this->Result.Improvement.Distance > this->AbsoluteTolerance())
-  {
-    return this->Refine("The boundary can't be drawn inside the tolerance", StatusCode::Distance,
-      this->PlacesBeyond(1.0), status);
-  }
-  const DistanceDecision decision = this->Distance->DistanceWithin(
-    this->Body.Mesh.Points, this->Stars.Quads, this->AbsoluteTolerance(), this->Progress);
-  if (this->Progress.Stopped())
-  {
-    status = this->Progress.StopStatus();
-    return Outcome::Failed;
-  }
-  if (!decision.Within)
-  {
-    std::vector<Vec3> places;
+    this->BeginPhase("improving the worst hexes", 0.55 + 0.35 * proof / MaximumProofs, 0.9);
+    status = ImproveHexes(this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope,
+      improvement, this->Result.Improvement, this->Progress);
+    if (!status.Ok())
+    {
+      return Outcome::Failed;
+    }
+    if (!this->Result.Improvement.Drawn)
+    {
+      return this->Refine("The boundary can't be drawn inside the tolerance", StatusCode::Distance,
+        this->PlacesBeyond(improvement.EnvelopeShare), status);
+    }
+    const DistanceDecision decision = this->Distance->DistanceWithin(
+      this->Body.Mesh.Points, this->Stars.Quads, this->AbsoluteTolerance(), this->Progress);
+    if (this->Progress.Stopped())
+    {
+      status = this->Progress.StopStatus();
+      return Outcome::Failed;
+    }
+    if (decision.Within)
+    {
+      return Outcome::Done;
+    }
+    places.clear();
     for (const DistanceWitness& w : decision.Triangles)
     {
       places.push_back(w.Point);
+      this->Samples.push_back(w.Point);
     }
     for (const DistanceWitness& w : decision.Quads)
     {
       places.push_back(this->Surface->Search().Closest(w.Point).Point);
     }
-    return this->Refine("The boundary leaves the tolerance", StatusCode::Distance, places, status);
+    improvement.EnvelopeShare -= ShareStep;
+    improvement.MaximumRounds = 1;
+    this->Envelope = std::make_unique<SurfaceEnvelope>(
+      *this->Surface, this->Samples, this->Body.Mesh, this->Stars, QuadGrid);
   }
-  return Outcome::Done;
+  return this->Refine("The boundary leaves the tolerance", StatusCode::Distance, places, status);
 }
 
 Mesher::Outcome Mesher::Validate(Status& status)
@@ -419,12 +441,63 @@ Mesher::Outcome Mesher::Validate(Status& status)
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }
 
+/// A valid mesh whose worst hex is stuck far below the wanted quality gets finer cells there, a few times.
+Mesher::Outcome Mesher::RaiseQuality(Status& status)
+{
+  this->KeepBest();
+  const double minimum = this->Result.Validation.Quality.Minimum;
+  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian ||
+    ++this->QualityRounds > MaximumQualityRounds)
+  {
+    return Outcome::Done;
+  }
+  // Only the hexes that hold the minimum down: the others below the wanted value had no chance to rise yet.
+  std::vector<Vec3> places;
+  for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
+  {
+    if (this->Result.Validation.ScaledJacobians[h] < minimum + StuckBand)
+    {
+      Vec3 center = Vec3::Zero();
+      for (Index v : this->Body.Mesh.Hexes[h])
+      {
+        center += 0.125 * this->Body.Mesh.Points[v];
+      }
+      places.push_back(this->Surface->Search().Closest(center).Point);
+    }
+  }
+  const Outcome outcome = this->Refine(
+    "The worst hexes are stuck at a low scaled Jacobian", StatusCode::Validation, places, status);
+  if (outcome == Outcome::Failed)
+  {
+    status = Status(); // the quality is best effort
+    return Outcome::Done;
+  }
+  return outcome;
+}
+
+void Mesher::KeepBest()
+{
+  if (this->Best.Mesh.Hexes.empty() ||
+    this->Result.Validation.Quality.Minimum > this->Best.Validation.Quality.Minimum)
+  {
+    this->Best.Mesh = this->Body.Mesh;
+    this->Best.Region = this->Body.Region;
+    this->Best.Level.clear();
+    for (Index source : this->Body.SourceHex)
+    {
+      this->Best.Level.push_back(this->DualArrays.HexLevel[source] - this->Octree.BaseLevel);
+    }
+    this->Best.Improvement = this->Result.Improvement;
+    this->Best.Validation = this->Result.Validation;
+  }
+}
+
 Mesher::Outcome Mesher::RunRound(int round, Status& status)
 {
   this->Round = round;
   this->Result.Rounds.emplace_back();
   for (const auto stage : { &Mesher::BuildDomain, &Mesher::BuildBody, &Mesher::Fit,
-         &Mesher::Improve, &Mesher::Validate })
+         &Mesher::Improve, &Mesher::Validate, &Mesher::RaiseQuality })
   {
     const Outcome outcome = (this->*stage)(status);
     if (outcome != Outcome::Done)
@@ -449,22 +522,21 @@ Status Mesher::Run(const SurfaceMesh& input)
   for (int round = 0;; ++round)
   {
     const Outcome outcome = this->RunRound(round, status);
-    if (outcome == Outcome::Failed)
-    {
-      return status;
-    }
-    if (outcome == Outcome::Done)
+    if (outcome != Outcome::Refine)
     {
       break;
     }
   }
-  this->Result.Region = std::move(this->Body.Region);
-  this->Result.Level.reserve(this->Body.SourceHex.size());
-  for (Index source : this->Body.SourceHex)
+  if (this->Best.Mesh.Hexes.empty() || status.Code == StatusCode::Aborted)
   {
-    this->Result.Level.push_back(this->DualArrays.HexLevel[source] - this->Octree.BaseLevel);
+    return status;
   }
-  this->Result.Mesh = std::move(this->Body.Mesh);
+  // A later round may have failed or run out of time: the best valid mesh counts.
+  this->Result.Mesh = std::move(this->Best.Mesh);
+  this->Result.Region = std::move(this->Best.Region);
+  this->Result.Level = std::move(this->Best.Level);
+  this->Result.Improvement = this->Best.Improvement;
+  this->Result.Validation = std::move(this->Best.Validation);
   return Status();
 }
 }

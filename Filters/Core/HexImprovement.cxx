@@ -16,7 +16,9 @@ constexpr int SweepsPerStage = 25;
 constexpr int DrawSweeps = 40;
 constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
-constexpr int AverageSweeps = 3;
+constexpr int AverageSweeps = 5;
+/// Of the tolerance: no certificate is possible when samples are as far as this.
+constexpr double HopelessShare = 0.97;
 constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
 
 /// The rounds of recipe-quality 2 with what they share.
@@ -221,7 +223,8 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   report.MinimumBefore = report.MinimumAfter = improvement.Minimum();
   improvement.DrawInside();
   report.Distance = improvement.Distance();
-  if (report.Distance > options.Tolerance * surface.Diagonal())
+  report.Drawn = report.Distance <= HopelessShare * options.Tolerance * surface.Diagonal();
+  if (!report.Drawn)
   {
     return monitor.StopStatus(); // only other cells can help: spend no time on quality
   }

@@ -29,13 +29,14 @@ struct ImprovementReport
 {
   double MinimumBefore = 0, MinimumAfter = 0;
   double Distance = 0; ///< bound of the sampled distance at the end, model units
+  bool Drawn = false;  ///< the boundary came well inside the tolerance
   int Rounds = 0;
   Index BelowTarget = 0; ///< hexes left below the wanted minimum
 };
 
 /// Moves points of a valid mesh; connectivity stays. Every step keeps elements valid over their whole volume and
-/// quads inside the envelope. When the boundary can't be drawn inside the tolerance, the stage ends there
-/// (report.Distance tells): the mesh needs other cells. @a envelope belongs to this mesh.
+/// quads inside the envelope. When the boundary can't be drawn inside, the stage ends there
+/// (report.Drawn is false): the mesh needs other cells. @a envelope belongs to this mesh.
 Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
   SurfaceEnvelope& envelope, const ImprovementOptions& options, ImprovementReport& report,
   Monitor& monitor);
