@@ -22,7 +22,7 @@ mesher.Tolerance = 0.01
 mesher.UpdatePipeline()
 
 # One row of figures comes with the mesh.
-statistics = servermanager.Fetch(OutputPort(mesher, 3))
+statistics = servermanager.Fetch(mesher, idx=3)
 
 
 def figure(name):

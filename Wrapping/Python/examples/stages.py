@@ -16,9 +16,13 @@ TOLERANCE = 0.01
 ROUNDS = 8
 
 
+def data_of(port):
+    port.UpdatePipeline()
+    return servermanager.Fetch(port, idx=port.Port)
+
+
 def has_points(port):
-    port.Proxy.UpdatePipeline()
-    return servermanager.Fetch(port).GetNumberOfPoints() > 0
+    return data_of(port).GetNumberOfPoints() > 0
 
 
 def round_of_stages(surface, refinement):
@@ -51,13 +55,12 @@ while mesh is None and len(refinement) < ROUNDS:
     if points is not None:
         refinement.append(points)
         print("round %d: %d places need finer cells" % (
-            len(refinement), servermanager.Fetch(points).GetNumberOfPoints()))
+            len(refinement), data_of(points).GetNumberOfPoints()))
 if mesh is None:
     raise RuntimeError("not within the tolerance after %d rounds" % ROUNDS)
 
 validated = HexValidation(Input=mesh, Surface=surface, Tolerance=TOLERANCE)
-validated.UpdatePipeline()
-figures = servermanager.Fetch(OutputPort(validated, 1))
+figures = data_of(OutputPort(validated, 1))
 if figures.GetColumnByName("Valid").GetComponent(0, 0) != 1:
     raise RuntimeError(figures.GetColumnByName("Verdict").GetValue(0))
 print("%d hexes, valid" % figures.GetColumnByName("NumberOfHexes").GetComponent(0, 0))
