@@ -20,7 +20,7 @@ namespace
 using namespace featurehex;
 
 constexpr double CellsPerSide = 26; // automatic target edge length (the paper's)
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkSurfaceOctreeFilter::vtkSurfaceOctreeFilter()
@@ -55,6 +55,12 @@ int vtkSurfaceOctreeFilter::FillOutputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceOctreeFilter::RemoveAllRefinementPoints()
+{
+  this->RemoveAllInputConnections(2);
+}
+
+//------------------------------------------------------------------------------
 featurehex::Status vtkSurfaceOctreeFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
@@ -80,8 +86,8 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   const SurfaceGeometry surface(std::move(checked));
   OctreeOptions options;
   options.TargetEdgeLength = this->TargetEdgeLength > 0
-    ? this->TargetEdgeLength
-    : surface.Bounds().Size().maxCoeff() / CellsPerSide;
+                               ? this->TargetEdgeLength
+                               : surface.Bounds().Size().maxCoeff() / CellsPerSide;
   options.MaximumLevel = this->MaximumLevel;
   options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;

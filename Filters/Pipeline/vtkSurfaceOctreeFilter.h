@@ -136,8 +136,13 @@ public:
   ///@}
 
   /**
-   * Cells of the last octree: counted when it was built, estimated when MaximumNumberOfCells forbade it; 0
-   * before.
+   * Disconnects input 2; ParaView's proxies need it.
+   */
+  void RemoveAllRefinementPoints();
+
+  /**
+   * Cells of the last octree: counted when it was built, estimated when MaximumNumberOfCells
+   * forbade it; 0 before.
    */
   vtkGetMacro(PredictedNumberOfCells, vtkIdType);
 
