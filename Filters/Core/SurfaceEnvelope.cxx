@@ -121,7 +121,7 @@ EnvelopeContact SurfaceEnvelope::AtWitness(Index sample, Index quad) const
   return contact;
 }
 
-/// Closest on the quad itself when that is near enough, else also on the quads next to it.
+/// Closest on the quad itself; when that is not near enough and lies on an edge, also on the quads next to it.
 EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double enough)
 {
   EnvelopeContact best = this->AtWitness(sample, quad);
@@ -130,7 +130,8 @@ EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double en
     return best;
   }
   best = this->ClosestOnQuad(sample, quad);
-  if (best.Distance > enough)
+  const bool onEdge = *std::min_element(best.Weights.begin(), best.Weights.end()) == 0;
+  if (best.Distance > enough && onEdge)
   {
     for (Index other : this->Stars.QuadNeighbors[quad])
     {

@@ -64,7 +64,7 @@ struct SizingOptions
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0
   double Slack = 0.0;            ///< model units, usually the tolerance
   double RelativeSlack = 0.75;   ///< as in ClearanceOptions; smaller: finer cells at ridges
-  double CellsPerThickness = 1.5; ///< at least this many cells across the solid
+  double CellsPerThickness = 2.0; ///< at least this many cells across the solid
   double CellsPerGap = 1.0;       ///< and across gaps
   int MaximumSizingLevel = 2;     ///< at most this many halvings
   double SampleSpacing = 0.5;     ///< in target edge lengths

@@ -102,7 +102,7 @@ public:
 
   ///@{
   /**
-   * Cells across the solid, at least, as far as MaximumSizingLevel allows. Default: 1.5. Range: 0.1
+   * Cells across the solid, at least, as far as MaximumSizingLevel allows. Default: 2. Range: 0.1
    * to 10.
    */
   vtkSetClampMacro(CellsPerThickness, double, 0.1, 10.0);
@@ -164,7 +164,7 @@ private:
   vtkIdType MaximumNumberOfCells = 20000000;
   bool AlignToPrincipalAxes = false;
   bool ThicknessSizing = true;
-  double CellsPerThickness = 1.5;
+  double CellsPerThickness = 2.0;
   double CellsPerGap = 1.0;
   int MaximumSizingLevel = 2;
   double Tolerance = 0.005;
