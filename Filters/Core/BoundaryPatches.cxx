@@ -46,7 +46,7 @@ std::vector<Index> ShellsOf(const std::vector<Quad>& quads, std::size_t points, 
   }
   return shell;
 }
-}
+} // namespace
 
 std::vector<int> PatchesOfShells(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
   const SurfaceMesh& surface, const std::vector<Index>& patchOfTriangle)
@@ -67,14 +67,16 @@ std::vector<int> PatchesOfShells(const std::vector<Vec3>& points, const std::vec
     return result;
   }
   const TriangleSearch search(surface.Points, std::move(triangles));
-  ParallelFor(quads.size(), 256, [&](std::size_t q) {
-    Vec3 center = Vec3::Zero();
-    for (Index v : quads[q])
+  ParallelFor(quads.size(), 256,
+    [&](std::size_t q)
     {
-      center += 0.25 * points[v];
-    }
-    result[q] = patch[search.Closest(center).Triangle];
-  });
+      Vec3 center = Vec3::Zero();
+      for (Index v : quads[q])
+      {
+        center += 0.25 * points[v];
+      }
+      result[q] = patch[search.Closest(center).Triangle];
+    });
 
   Index shells = 0;
   const std::vector<Index> shell = ShellsOf(quads, points.size(), shells);
@@ -103,8 +105,8 @@ std::vector<int> PatchesOfShells(const std::vector<Vec3>& points, const std::vec
   return result;
 }
 
-std::vector<Index> NearestQuads(const std::vector<Vec3>& points, const std::vector<Quad>& quads,
-  const std::vector<Vec3>& places)
+std::vector<Index> NearestQuads(
+  const std::vector<Vec3>& points, const std::vector<Quad>& quads, const std::vector<Vec3>& places)
 {
   std::vector<Triangle> triangles;
   triangles.reserve(2 * quads.size());
@@ -119,4 +121,4 @@ std::vector<Index> NearestQuads(const std::vector<Vec3>& points, const std::vect
     [&](std::size_t i) { nearest[i] = search.Closest(places[i]).Triangle / 2; });
   return nearest;
 }
-}
+} // namespace featurehex

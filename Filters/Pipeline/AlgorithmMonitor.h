@@ -8,8 +8,8 @@
 #include "Monitor.h"
 #include "VTKCompatibility.h"
 
+#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <string>
 
 namespace featurehex
@@ -26,11 +26,13 @@ public:
 protected:
   void Report(const std::string& phase, double progress) override
   {
+    // Stages that look at a part twice, or begin phases of their own, report less than before.
+    progress = std::max(progress, this->LastProgress);
     // Observers draw: events for each per mille or 50 ms, whatever comes first, are enough.
     const Clock::time_point now = Clock::now();
     const bool newPhase = phase != this->LastPhase;
-    if (!newPhase && std::abs(progress - this->LastProgress) < 1e-3 &&
-      now - this->LastTime < std::chrono::milliseconds(50))
+    if (!newPhase && progress - this->LastProgress < 1e-3 &&
+        now - this->LastTime < std::chrono::milliseconds(50))
     {
       return;
     }
@@ -50,9 +52,9 @@ private:
 
   vtkAlgorithm* Algorithm;
   std::string LastPhase;
-  double LastProgress = -1.0;
+  double LastProgress = 0.0;
   Clock::time_point LastTime;
 };
-}
+} // namespace featurehex
 
 #endif

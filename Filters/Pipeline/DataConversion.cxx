@@ -84,18 +84,22 @@ void ForEachCell(vtkCellArray* cells, const Visit& visit)
   }
 }
 
-/// Polygons with more than three corners that can be cut by their shape: all ids and coordinates good.
+/// Polygons with more than three corners that can be cut by their shape: all ids and coordinates
+/// good.
 bool NeedsTriangulation(vtkPolyData* input, const std::vector<Vec3>& points)
 {
   bool polygons = false;
-  bool sound = std::all_of(
-    points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); });
-  ForEachCell(input->GetPolys(), [&](const vtkIdType* ids, vtkIdType count) {
-    polygons = polygons || count > 3;
-    sound = sound && count > 2 && std::all_of(ids, ids + count, [&](vtkIdType id) {
-      return id >= 0 && id < static_cast<vtkIdType>(points.size());
+  bool sound =
+    std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); });
+  ForEachCell(input->GetPolys(),
+    [&](const vtkIdType* ids, vtkIdType count)
+    {
+      polygons = polygons || count > 3;
+      sound =
+        sound && count > 2 &&
+        std::all_of(ids, ids + count,
+          [&](vtkIdType id) { return id >= 0 && id < static_cast<vtkIdType>(points.size()); });
     });
-  });
   return polygons && sound;
 }
 
@@ -136,7 +140,7 @@ public:
 private:
   std::vector<Index> NewId;
 };
-}
+} // namespace
 
 //--- surfaces -------------------------------------------------------------------------------------
 SurfaceMesh SurfaceFromPolyData(vtkPolyData* input)
@@ -158,18 +162,22 @@ SurfaceMesh SurfaceFromPolyData(vtkPolyData* input)
   const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
     surface.Triangles.push_back({ ShortId(a), ShortId(b), ShortId(c) });
   };
-  ForEachCell(polygons, [&](const vtkIdType* ids, vtkIdType n) {
-    for (vtkIdType i = 2; i < n; ++i)
+  ForEachCell(polygons,
+    [&](const vtkIdType* ids, vtkIdType n)
     {
-      add(ids[0], ids[i - 1], ids[i]);
-    }
-  });
-  ForEachCell(input->GetStrips(), [&](const vtkIdType* ids, vtkIdType n) {
-    for (vtkIdType i = 2; i < n; ++i)
+      for (vtkIdType i = 2; i < n; ++i)
+      {
+        add(ids[0], ids[i - 1], ids[i]);
+      }
+    });
+  ForEachCell(input->GetStrips(),
+    [&](const vtkIdType* ids, vtkIdType n)
     {
-      add(ids[i - 2], ids[i % 2 ? i : i - 1], ids[i % 2 ? i - 1 : i]);
-    }
-  });
+      for (vtkIdType i = 2; i < n; ++i)
+      {
+        add(ids[i - 2], ids[i % 2 ? i : i - 1], ids[i % 2 ? i - 1 : i]);
+      }
+    });
   return surface;
 }
 
@@ -221,8 +229,8 @@ Status MeshFromGrid(vtkUnstructuredGrid* grid, MeshCheck check, HexMesh& mesh)
     const int type = grid->GetCellType(c);
     if (type != VTK_HEXAHEDRON && type != VTK_VOXEL)
     {
-      return Status(StatusCode::InvalidMesh,
-        "The mesh is not all-hex: " + CellName(grid, c) + ". Give linear hexahedra or voxels only.");
+      return Status(StatusCode::InvalidMesh, "The mesh is not all-hex: " + CellName(grid, c) +
+                                               ". Give linear hexahedra or voxels only.");
     }
     grid->GetCellPoints(c, ids);
     Hex& hex = mesh.Hexes[c];
@@ -231,9 +239,9 @@ Status MeshFromGrid(vtkUnstructuredGrid* grid, MeshCheck check, HexMesh& mesh)
       const vtkIdType id = i < ids->GetNumberOfIds() ? ids->GetId(i) : -1;
       if (id < 0 || id >= count)
       {
-        return Status(StatusCode::IndexOutOfRange,
-          "Hex " + std::to_string(c) + " refers to point " + std::to_string(id) + " of " +
-            std::to_string(count) + ".");
+        return Status(StatusCode::IndexOutOfRange, "Hex " + std::to_string(c) +
+                                                     " refers to point " + std::to_string(id) +
+                                                     " of " + std::to_string(count) + ".");
       }
       hex[i] = static_cast<Index>(id);
     }
@@ -296,13 +304,15 @@ void PassArrays(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
   output->GetPointData()->PassData(input->GetPointData());
   output->GetCellData()->PassData(input->GetCellData());
   output->GetFieldData()->PassData(input->GetFieldData());
-  for (const char* name : { ArrayNames::ScaledJacobian, ArrayNames::Certified, ArrayNames::Defects })
+  for (const char* name :
+    { ArrayNames::ScaledJacobian, ArrayNames::Certified, ArrayNames::Defects })
   {
     output->GetCellData()->RemoveArray(name);
   }
 }
 
-void CopyRows(vtkDataSetAttributes* from, const std::vector<Index>& source, vtkDataSetAttributes* to)
+void CopyRows(
+  vtkDataSetAttributes* from, const std::vector<Index>& source, vtkDataSetAttributes* to)
 {
   to->CopyAllOn();
   to->CopyAllocate(from, static_cast<vtkIdType>(source.size()));
@@ -357,7 +367,8 @@ void GridFromOctree(const BlockOctree& octree, vtkUnstructuredGrid* output)
   AddArray(output->GetCellData(), ArrayNames::Level, level);
 
   vtkFieldData* field = output->GetFieldData();
-  const auto addVector = [field](const char* name, const double* values, int count) {
+  const auto addVector = [field](const char* name, const double* values, int count)
+  {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
     array->SetNumberOfComponents(count);
@@ -369,16 +380,16 @@ void GridFromOctree(const BlockOctree& octree, vtkUnstructuredGrid* output)
   AddArray(field, ArrayNames::OctreeFinestCellSize, std::vector<double>{ octree.FinestCellSize });
   AddArray(field, ArrayNames::OctreeDepth, std::vector<int>{ octree.Depth });
   AddArray(field, ArrayNames::OctreeBaseLevel, std::vector<int>{ octree.BaseLevel });
-  AddArray(field, ArrayNames::TargetEdgeLength,
-    std::vector<double>{ octree.CellSize(octree.BaseLevel) });
+  AddArray(
+    field, ArrayNames::TargetEdgeLength, std::vector<double>{ octree.CellSize(octree.BaseLevel) });
 }
 
 Status OctreeFromGrid(vtkUnstructuredGrid* grid, BlockOctree& octree)
 {
-  const auto missing = [](const char* name) {
-    return Status(StatusCode::InvalidMesh,
-      std::string("The octree has no proper array ") + name +
-        ". Give the output of the Surface Octree filter.");
+  const auto missing = [](const char* name)
+  {
+    return Status(StatusCode::InvalidMesh, std::string("The octree has no proper array ") + name +
+                                             ". Give the output of the Surface Octree filter.");
   };
   vtkFieldData* field = grid->GetFieldData();
   vtkDataArray* origin = field->GetArray(ArrayNames::OctreeOrigin);
@@ -529,9 +540,9 @@ Status ReadCellArray(
     const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
     if (!(std::abs(value) < 2e9))
     {
-      return Status(StatusCode::InvalidMesh,
-        std::string("The cell array ") + name + " has no usable number for cell " +
-          std::to_string(i) + ".");
+      return Status(StatusCode::InvalidMesh, std::string("The cell array ") + name +
+                                               " has no usable number for cell " +
+                                               std::to_string(i) + ".");
     }
     values[i] = static_cast<int>(value);
   }
@@ -560,4 +571,4 @@ void FigureRow::Write(vtkTable* table) const
 {
   this->Write(table->GetRowData());
 }
-}
+} // namespace featurehex

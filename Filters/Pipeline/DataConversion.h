@@ -25,7 +25,8 @@ class vtkUnstructuredGrid;
 namespace featurehex
 {
 //--- surfaces -------------------------------------------------------------------------------------
-/// Triangles, strips and polygons of @a input as triangles. Unchecked; ids beyond 32 bits become -1.
+/// Triangles, strips and polygons of @a input as triangles. Unchecked; ids beyond 32 bits become
+/// -1.
 SurfaceMesh SurfaceFromPolyData(vtkPolyData* input);
 
 /// SurfaceFromPolyData() and CheckSurface(): ready for every stage.
@@ -55,7 +56,8 @@ void GridFromMesh(const HexMesh& mesh, vtkUnstructuredGrid* output);
 void GridFromHexes(const HexMesh& mesh, const std::vector<Index>& ids, vtkUnstructuredGrid* grid,
   vtkUnstructuredGrid* output);
 
-/// All arrays of @a input for an output whose points were moved: measures of the old ones are left out.
+/// All arrays of @a input for an output whose points were moved: measures of the old ones are left
+/// out.
 void PassArrays(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
 
 /// One array of @a from after another, rows by @a source.
@@ -63,7 +65,8 @@ void CopyRows(
   vtkDataSetAttributes* from, const std::vector<Index>& source, vtkDataSetAttributes* to);
 
 //--- octrees and refinement points ----------------------------------------------------------------
-/// Cells (voxels; hexahedra when the axes are turned) with OctreeIndex and Level, field data with the frame.
+/// Cells (voxels; hexahedra when the axes are turned) with OctreeIndex and Level, field data with
+/// the frame.
 void GridFromOctree(const BlockOctree& octree, vtkUnstructuredGrid* output);
 
 /// Back. Fails with InvalidMesh when arrays are missing or the cells are no balanced block octree.
@@ -97,6 +100,6 @@ struct FigureRow
   void Write(vtkFieldData* data) const;
   void Write(vtkTable* table) const;
 };
-}
+} // namespace featurehex
 
 #endif

@@ -19,6 +19,6 @@ inline bool AbortRequested(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 #endif
 }
-}
+} // namespace featurehex
 
 #endif

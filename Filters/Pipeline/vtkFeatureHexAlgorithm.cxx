@@ -46,9 +46,10 @@ std::string ErrorOfInputs(vtkInformationVector** inputs, int ports)
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkDataObject* data = vtkDataObject::GetData(inputs[port], i);
-      vtkStringArray* error = data ? vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(
-                                       featurehex::ArrayNames::Error))
-                                   : nullptr;
+      vtkStringArray* error =
+        data ? vtkStringArray::SafeDownCast(
+                 data->GetFieldData()->GetAbstractArray(featurehex::ArrayNames::Error))
+             : nullptr;
       if (error && error->GetNumberOfValues() > 0)
       {
         return error->GetValue(0);
@@ -60,13 +61,15 @@ std::string ErrorOfInputs(vtkInformationVector** inputs, int ports)
 
 int RequestedPiece(vtkInformation* request, vtkInformationVector* outputs)
 {
-  const int port =
-    request->Has(vtkExecutive::FROM_OUTPUT_PORT()) ? request->Get(vtkExecutive::FROM_OUTPUT_PORT()) : 0;
+  const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+                     ? request->Get(vtkExecutive::FROM_OUTPUT_PORT())
+                     : 0;
   vtkInformation* info = outputs->GetInformationObject(port < 0 ? 0 : port);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  return info->Has(Pipeline::UPDATE_PIECE_NUMBER()) ? info->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0;
+  return info->Has(Pipeline::UPDATE_PIECE_NUMBER()) ? info->Get(Pipeline::UPDATE_PIECE_NUMBER())
+                                                    : 0;
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkFeatureHexAlgorithm::vtkFeatureHexAlgorithm() = default;
@@ -166,7 +169,8 @@ int vtkFeatureHexAlgorithm::RequestData(
   {
     ClearOutputs(outputs);
     this->SetErrorCode(vtkErrorCode::UserError + static_cast<unsigned long>(status.Code));
-    LeaveError(outputs, std::string(featurehex::StatusCodeName(status.Code)) + ": " + status.Message);
+    LeaveError(
+      outputs, std::string(featurehex::StatusCodeName(status.Code)) + ": " + status.Message);
     if (status.Code != featurehex::StatusCode::Aborted)
     {
       vtkErrorMacro(<< status.Message);

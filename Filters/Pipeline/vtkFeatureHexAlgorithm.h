@@ -10,16 +10,16 @@
  * request itself succeeds: otherwise the executive would add a second, less helpful error.
  *
  * <b>Abort:</b> SetAbortExecute(1), from an observer of the progress event for instance, leaves
- * empty outputs and no error. ErrorCode and FeatureHexError say Aborted. Modified() makes the filter
- * run again.
+ * empty outputs and no error. ErrorCode and FeatureHexError say Aborted. Modified() makes the
+ * filter run again.
  *
  * <b>Progress:</b> GetProgressText() names the phase.
  *
  * <b>Parallel pieces:</b> a mesh can't be made of a piece of a surface. Piece 0 asks for the whole
  * input and has the whole output; the output of other pieces is empty.
  *
- * <b>Threads and determinism:</b> vtkSMPTools with the backend that is set; the same bits for any number
- * of threads. Inputs are never modified.
+ * <b>Threads and determinism:</b> vtkSMPTools with the backend that is set; the same bits for any
+ * number of threads. Inputs are never modified.
  */
 
 #ifndef vtkFeatureHexAlgorithm_h
@@ -32,7 +32,7 @@ namespace featurehex
 {
 class Monitor;
 struct Status;
-}
+} // namespace featurehex
 
 class VTKFEATUREHEXPIPELINE_EXPORT vtkFeatureHexAlgorithm : public vtkDataObjectAlgorithm
 {
@@ -45,7 +45,8 @@ protected:
   ~vtkFeatureHexAlgorithm() override;
 
   /**
-   * The work of the filter: fill the (empty) outputs. They are emptied again unless the result is Ok.
+   * The work of the filter: fill the (empty) outputs. They are emptied again unless the result is
+   * Ok.
    */
   virtual featurehex::Status Compute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor) = 0;

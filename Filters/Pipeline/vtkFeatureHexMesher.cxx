@@ -111,7 +111,7 @@ std::vector<Index> ComponentOfInputTriangle(const SurfaceCheckReport& check)
   }
   return component;
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkFeatureHexMesher::vtkFeatureHexMesher()
@@ -179,8 +179,7 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
   PolyDataFromQuads(result.Mesh.Points, quads, boundary);
   AddArray(boundary->GetCellData(), ArrayNames::PatchId,
-    PatchesOfShells(
-      result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check)));
+    PatchesOfShells(result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check)));
   AddArray(boundary->GetCellData(), ArrayNames::Deviation, result.Validation.Distance.Deviation);
 
   const FigureRow row = Statistics(options, this->TimeLimit, result);

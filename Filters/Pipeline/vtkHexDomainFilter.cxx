@@ -30,7 +30,8 @@ vtkHexDomainFilter::~vtkHexDomainFilter() = default;
 //------------------------------------------------------------------------------
 int vtkHexDomainFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   return 1;
 }
 
@@ -79,9 +80,10 @@ featurehex::Status vtkHexDomainFilter::Compute(
   AddArray(output->GetCellData(), ArrayNames::Region, domain.Region);
   FigureRow row;
   row.Numbers = { { "NumberOfRegions", domain.NumberOfRegions },
-    { "TopologyMatches", domain.Topology.Same() }, { "SurfaceCovered", domain.MissingPoints.empty() },
-    { "LonelyFlips", domain.LonelyFlips }, { "RepairFlips", domain.RepairFlips },
-    { "IslandFlips", domain.IslandFlips }, { "HandleFlips", domain.HandleFlips } };
+    { "TopologyMatches", domain.Topology.Same() },
+    { "SurfaceCovered", domain.MissingPoints.empty() }, { "LonelyFlips", domain.LonelyFlips },
+    { "RepairFlips", domain.RepairFlips }, { "IslandFlips", domain.IslandFlips },
+    { "HandleFlips", domain.HandleFlips } };
   row.Write(output->GetFieldData());
 
   std::vector<std::pair<RefinementPoint, std::string>> points;

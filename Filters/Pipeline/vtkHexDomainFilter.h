@@ -61,7 +61,7 @@ public:
   /**
    * A hex belongs to the body when its centre is inside, or outside by less than this many local
    * cell sizes where gaps allow it. Small positive values fit better at the cost of more hexes;
-   * negative ones lose thin parts. Default: 0. Range: -1 to 1.
+   * negative ones lose thin parts. Default: 0.1. Range: -1 to 1.
    */
   vtkSetClampMacro(LabelBias, double, -1.0, 1.0);
   vtkGetMacro(LabelBias, double);
@@ -98,7 +98,7 @@ private:
   vtkHexDomainFilter(const vtkHexDomainFilter&) = delete;
   void operator=(const vtkHexDomainFilter&) = delete;
 
-  double LabelBias = 0.0;
+  double LabelBias = 0.1;
   int MaximumLevel = 4;
   double Tolerance = 0.005;
 };

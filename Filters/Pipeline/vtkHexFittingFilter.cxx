@@ -23,11 +23,12 @@ namespace
 {
 using namespace featurehex;
 
-// As in the composite (recipe-quality 3).
-constexpr double SampleSpacing = 0.7; // tolerances, between samples of the input
+// As in the composite (recipe-quality 2 and 3).
+constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input
 constexpr int QuadGrid = 7;           // samples per quad side
 
-constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
+constexpr double RefineBeyond =
+  1.4; // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
 
 /// Samples of the surface farther than @a limit from the boundary, either way.
 std::vector<Vec3> SamplesBeyond(SurfaceEnvelope& envelope, const HexStars& stars, double limit)
@@ -82,7 +83,7 @@ std::vector<std::pair<RefinementPoint, std::string>> PointsToRefine(const HexMes
   }
   return result;
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkHexFittingFilter::vtkHexFittingFilter()
@@ -97,7 +98,8 @@ vtkHexFittingFilter::~vtkHexFittingFilter() = default;
 //------------------------------------------------------------------------------
 int vtkHexFittingFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   if (port >= 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -128,7 +130,8 @@ featurehex::Status vtkHexFittingFilter::Compute(
   if (const std::size_t inverted = InvertedHexes(mesh).size(); inverted > 0)
   {
     return Status(StatusCode::InvalidMesh,
-      std::to_string(inverted) + " hexes are inverted. Use the Hex Untangle filter before this one.");
+      std::to_string(inverted) +
+        " hexes are inverted. Use the Hex Untangle filter before this one.");
   }
   std::vector<int> level;
   if (input->GetCellData()->HasArray(ArrayNames::Level))
@@ -172,14 +175,19 @@ featurehex::Status vtkHexFittingFilter::Compute(
     improvement.MinimumScaledJacobian = this->MinimumScaledJacobian;
     improvement.MaximumRounds = this->ImprovementRounds;
     status = ImproveHexes(mesh, stars, surface, envelope, improvement, report, monitor);
-    row.Numbers[1].second = 1.0;
+    row.Numbers[1].second = report.Drawn;
+    if (!report.Drawn)
+    {
+      places = SamplesBeyond(envelope, stars, improvement.EnvelopeShare * tolerance);
+    }
     row.Numbers.emplace_back("HexesBelowMinimum", report.BelowTarget);
   }
   if (status.Ok() && places.empty())
   {
     monitor.BeginPhase("measuring distances", 0.9, 1.0);
     const DistanceDecision decision =
-      CertifiedDistance(surface.Mesh()).DistanceWithin(mesh.Points, stars.Quads, tolerance, monitor);
+      CertifiedDistance(surface.Mesh())
+        .DistanceWithin(mesh.Points, stars.Quads, tolerance, monitor);
     row.Numbers[0].second = decision.Within;
     places = WitnessPoints(decision);
   }

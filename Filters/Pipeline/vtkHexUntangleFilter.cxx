@@ -25,7 +25,7 @@ std::string Place(const Vec3& p)
   text << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
   return text.str();
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkHexUntangleFilter::vtkHexUntangleFilter()
@@ -40,7 +40,8 @@ vtkHexUntangleFilter::~vtkHexUntangleFilter() = default;
 //------------------------------------------------------------------------------
 int vtkHexUntangleFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   if (port >= 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);

@@ -8,7 +8,7 @@
  *
  * <b>Input 1 (optional):</b> vtkPolyData, the surface (triangles, strips or polygons): closed,
  * without self-intersections; vtkSurfaceFeatureFilter says what that means. The boundary is held
- * near it; without it boundary vertices don't move.
+ * near it; without it boundary vertices don't move, and a padded mesh can seldom be freed.
  *
  * <b>Output:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON: the same hexes and arrays, moved points.
  * ScaledJacobian, Certified and Defects of the input are left out. Field data, one double each:
@@ -23,8 +23,8 @@
  *
  * <b>Threads and determinism:</b> vtkSMPTools; the same bits for any number of threads.
  *
- * <b>Cost:</b> 2 microseconds a vertex and sweep; usually fewer than 10 sweeps. Stitching: some 10
- * times as much.
+ * <b>Cost:</b> 2 microseconds a vertex and sweep; 3 sweeps for most padded meshes. Stitching: 8
+ * times as much (Documentation/untangling.md).
  *
  * <b>References:</b> V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov,
  * "Foldover-free maps in 50 lines of code", ACM TOG 40(4), 2021, doi:10.1145/3450626.3459847;

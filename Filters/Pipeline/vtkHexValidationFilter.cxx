@@ -54,7 +54,7 @@ void AddDefects(const HexMesh& mesh, const HexValidationReport& report, vtkUnstr
   AddArray(offending->GetCellData(), ArrayNames::Reason, reasons);
   AddArray(offending->GetCellData(), ArrayNames::OriginalCellId, ids);
 }
-}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkHexValidationFilter::vtkHexValidationFilter()
@@ -69,7 +69,8 @@ vtkHexValidationFilter::~vtkHexValidationFilter() = default;
 //------------------------------------------------------------------------------
 int vtkHexValidationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
   if (port >= 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);

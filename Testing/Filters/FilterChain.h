@@ -67,7 +67,8 @@ vtkSmartPointer<DataSet> Result(vtkAlgorithm* filter, int port = 0)
   return copy;
 }
 
-inline vtkSmartPointer<vtkUnstructuredGrid> WithoutCellArray(vtkUnstructuredGrid* grid, const char* name)
+inline vtkSmartPointer<vtkUnstructuredGrid> WithoutCellArray(
+  vtkUnstructuredGrid* grid, const char* name)
 {
   auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
   copy->DeepCopy(grid);
@@ -139,6 +140,6 @@ inline void ExpectSurfaceErrors(vtkAlgorithm* filter, int port)
   filter->SetInputDataObject(port, WithNaN(Sphere().GetPointer()));
   ExpectFailure(filter, "finite");
 }
-}
+} // namespace FilterChecks
 
 #endif

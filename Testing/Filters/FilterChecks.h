@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the tests of all filters share: inputs, counted errors, and assertions that hold for each filter.
+/// What the tests of all filters share: inputs, counted errors, and assertions that hold for each
+/// filter.
 
 #ifndef FilterChecks_h
 #define FilterChecks_h
@@ -37,6 +38,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace FilterChecks
@@ -101,7 +103,8 @@ vtkSmartPointer<DataSet> WithNaN(DataSet* input)
 }
 
 //--- events ---------------------------------------------------------------------------------------
-/// Counts the errors and warnings that a user of @a algorithm would see, and keeps them off the console.
+/// Counts the errors and warnings that a user of @a algorithm would see, and keeps them off the
+/// console.
 class Messages
 {
 public:
@@ -109,13 +112,15 @@ public:
     : Algorithm(algorithm)
   {
     this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long event, void* self, void* text) {
-      auto* messages = static_cast<Messages*>(self);
-      (event == vtkCommand::ErrorEvent ? messages->Errors : messages->Warnings)
-        .emplace_back(static_cast<const char*>(text));
-    });
-    for (vtkObject* object : { static_cast<vtkObject*>(algorithm),
-           static_cast<vtkObject*>(algorithm->GetExecutive()) })
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long event, void* self, void* text)
+      {
+        auto* messages = static_cast<Messages*>(self);
+        (event == vtkCommand::ErrorEvent ? messages->Errors : messages->Warnings)
+          .emplace_back(static_cast<const char*>(text));
+      });
+    for (vtkObject* object :
+      { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
     {
       object->AddObserver(vtkCommand::ErrorEvent, this->Command);
       object->AddObserver(vtkCommand::WarningEvent, this->Command);
@@ -260,7 +265,8 @@ inline void ExpectFailure(vtkAlgorithm* filter, const std::string& text)
 {
   ExpectOneError(filter, text);
   EXPECT_GE(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
-  EXPECT_NE(filter->GetOutputDataObject(0)->GetFieldData()->GetAbstractArray("FeatureHexError"), nullptr);
+  EXPECT_NE(
+    filter->GetOutputDataObject(0)->GetFieldData()->GetAbstractArray("FeatureHexError"), nullptr);
 }
 
 /// Wrong type and nothing at all at a port.
@@ -275,8 +281,8 @@ inline void ExpectTypeErrors(vtkAlgorithm* filter, int port = 0)
 }
 
 /// Nothing runs twice, the input stays as it is, another number of threads gives the same bits,
-/// pieces beyond the first are empty, and an abort at the first progress event leaves nothing. The filter
-/// must have its input and give something.
+/// pieces beyond the first are empty, and an abort at the first progress event leaves nothing. The
+/// filter must have its input and give something.
 inline void ExpectGoodCitizen(vtkAlgorithm* filter)
 {
   std::vector<vtkSmartPointer<vtkDataObject>> before, inputs;
@@ -291,9 +297,24 @@ inline void ExpectGoodCitizen(vtkAlgorithm* filter)
   }
   Messages messages(filter);
   Executions runs(filter);
+  std::pair<double, bool> progress(0.0, false); // the last one, went back
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&progress);
+  watch->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto& [last, back] = *static_cast<std::pair<double, bool>*>(data);
+      const double now = static_cast<vtkAlgorithm*>(caller)->GetProgress();
+      back = back || now < last;
+      last = now;
+    });
+  const unsigned long watching = filter->AddObserver(vtkCommand::ProgressEvent, watch);
   std::vector<vtkSmartPointer<vtkDataObject>> first;
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, [&] { filter->Update(); });
   ASSERT_TRUE(messages.Errors.empty()) << messages.Errors[0];
+  filter->RemoveObserver(watching);
+  EXPECT_FALSE(progress.second) << "progress goes back";
+  EXPECT_EQ(progress.first, 1.0);
   ASSERT_FALSE(IsEmpty(filter->GetOutputDataObject(0)));
   EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
@@ -324,11 +345,13 @@ inline void ExpectGoodCitizen(vtkAlgorithm* filter)
 
   filter->Modified();
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-    auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-    EXPECT_NE(algorithm->GetProgressText(), nullptr);
-    algorithm->SetAbortExecute(1);
-  });
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      EXPECT_NE(algorithm->GetProgressText(), nullptr);
+      algorithm->SetAbortExecute(1);
+    });
   const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, stop);
   filter->UpdatePiece(0, 1, 0);
   filter->RemoveObserver(tag);
@@ -343,6 +366,6 @@ inline void ExpectGoodCitizen(vtkAlgorithm* filter)
   filter->Update();
   ExpectSameData(first[0], filter->GetOutputDataObject(0));
 }
-}
+} // namespace FilterChecks
 
 #endif

@@ -28,7 +28,7 @@ vtkUnstructuredGrid* MeshOf(vtkAlgorithm* mesher)
 {
   return vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
 }
-}
+} // namespace
 
 TEST(FeatureHexMesher, SphereIsValidAndComplete)
 {
@@ -42,8 +42,8 @@ TEST(FeatureHexMesher, SphereIsValidAndComplete)
   EXPECT_LT(mesh->GetNumberOfCells(), 2000);
   EXPECT_TRUE(mesh->IsHomogeneous());
   EXPECT_EQ(mesh->GetCellType(0), VTK_HEXAHEDRON);
-  EXPECT_EQ(
-    ArrayList(mesh->GetCellData()), (std::vector<std::string>{ "Region", "Level", "ScaledJacobian" }));
+  EXPECT_EQ(ArrayList(mesh->GetCellData()),
+    (std::vector<std::string>{ "Region", "Level", "ScaledJacobian" }));
   EXPECT_EQ(mesh->GetCellData()->GetArray("Region")->GetRange()[0], 1.0);
   EXPECT_EQ(mesh->GetCellData()->GetArray("Region")->GetRange()[1], 1.0);
   EXPECT_EQ(mesh->GetCellData()->GetArray("ScaledJacobian")->GetRange()[0],
@@ -55,9 +55,10 @@ TEST(FeatureHexMesher, SphereIsValidAndComplete)
   auto* boundary = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(1));
   EXPECT_EQ(boundary->GetNumberOfCells(), Figure(mesh, "NumberOfBoundaryQuads"));
   EXPECT_EQ(boundary->GetNumberOfPoints(), boundary->GetNumberOfCells() + 2); // genus 0
-  EXPECT_EQ(ArrayList(boundary->GetCellData()), (std::vector<std::string>{ "PatchId", "Deviation" }));
-  EXPECT_LE(boundary->GetCellData()->GetArray("Deviation")->GetRange()[1],
-    0.02 * Figure(mesh, "Diagonal"));
+  EXPECT_EQ(
+    ArrayList(boundary->GetCellData()), (std::vector<std::string>{ "PatchId", "Deviation" }));
+  EXPECT_LE(
+    boundary->GetCellData()->GetArray("Deviation")->GetRange()[1], 0.02 * Figure(mesh, "Diagonal"));
 
   EXPECT_TRUE(IsEmpty(mesher->GetOutputDataObject(2)));
   auto* table = vtkTable::SafeDownCast(mesher->GetOutputDataObject(3));
@@ -118,7 +119,8 @@ TEST(FeatureHexMesher, PatchIdIsTheComponent)
   {
     double bounds[6];
     boundary->GetCellBounds(c, bounds);
-    EXPECT_EQ(boundary->GetCellData()->GetArray("PatchId")->GetComponent(c, 0), bounds[0] > 0.7 ? 0 : 1);
+    EXPECT_EQ(
+      boundary->GetCellData()->GetArray("PatchId")->GetComponent(c, 0), bounds[0] > 0.7 ? 0 : 1);
   }
 }
 
@@ -160,15 +162,17 @@ TEST(FeatureHexMesher, AbortsWithinASecondInEachPhase)
     Stopper stopper{ at, {} };
     vtkNew<vtkCallbackCommand> stop;
     stop->SetClientData(&stopper);
-    stop->SetCallback([](vtkObject* caller, unsigned long, void* data, void*) {
-      auto* self = static_cast<Stopper*>(data);
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() >= self->At && !algorithm->GetAbortExecute())
+    stop->SetCallback(
+      [](vtkObject* caller, unsigned long, void* data, void*)
       {
-        self->Time = std::chrono::steady_clock::now();
-        algorithm->SetAbortExecute(1);
-      }
-    });
+        auto* self = static_cast<Stopper*>(data);
+        auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+        if (algorithm->GetProgress() >= self->At && !algorithm->GetAbortExecute())
+        {
+          self->Time = std::chrono::steady_clock::now();
+          algorithm->SetAbortExecute(1);
+        }
+      });
     const unsigned long tag = mesher->AddObserver(vtkCommand::ProgressEvent, stop);
     Messages messages(mesher);
     mesher->Update();

@@ -18,7 +18,7 @@ void ExpectValid(vtkPolyData* surface, double edge, double euler)
   EXPECT_EQ(vtkTable::SafeDownCast(chain.Validation->GetOutput(1))->GetNumberOfRows(), 1);
   EXPECT_TRUE(IsEmpty(chain.Validation->GetOutput(2)));
 }
-}
+} // namespace
 
 TEST(FilterChain, SphereIsValid)
 {

@@ -42,7 +42,8 @@ TEST(HexFittingFilter, DefaultsAreThoseOfTheCore)
   vtkNew<vtkHexFittingFilter> filter;
   EXPECT_EQ(filter->GetTolerance(), featurehex::FittingOptions().Tolerance);
   EXPECT_EQ(filter->GetFittingIterations(), featurehex::FittingOptions().Iterations);
-  EXPECT_EQ(filter->GetMinimumScaledJacobian(), featurehex::ImprovementOptions().MinimumScaledJacobian);
+  EXPECT_EQ(
+    filter->GetMinimumScaledJacobian(), featurehex::ImprovementOptions().MinimumScaledJacobian);
   EXPECT_EQ(filter->GetImprovementRounds(), featurehex::ImprovementOptions().MaximumRounds);
 }
 

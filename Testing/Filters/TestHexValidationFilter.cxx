@@ -36,8 +36,9 @@ TEST(HexValidationFilter, OffendingHexesHaveReasons)
   ASSERT_GE(offending->GetNumberOfCells(), 1);
   const vtkIdType last = offending->GetNumberOfCells() - 1;
   EXPECT_EQ(offending->GetCellData()->GetArray("OriginalCellId")->GetComponent(last, 0), 1.0);
-  EXPECT_NE(offending->GetCellData()->GetAbstractArray("Reason")->GetVariantValue(last).ToString().find(
-              "NonPositiveCorner"),
+  EXPECT_NE(
+    offending->GetCellData()->GetAbstractArray("Reason")->GetVariantValue(last).ToString().find(
+      "NonPositiveCorner"),
     std::string::npos);
 }
 

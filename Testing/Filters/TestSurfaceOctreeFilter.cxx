@@ -23,7 +23,7 @@ vtkUnstructuredGrid* GridOf(vtkAlgorithm* filter)
 {
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
 }
-}
+} // namespace
 
 TEST(SurfaceOctreeFilter, VoxelsTileTheBoxWithTheirArrays)
 {
@@ -47,7 +47,8 @@ TEST(SurfaceOctreeFilter, VoxelsTileTheBoxWithTheirArrays)
     double b[6];
     grid->GetCellBounds(c, b);
     volume += (b[1] - b[0]) * (b[3] - b[2]) * (b[5] - b[4]);
-    const double size = 0.125 * std::pow(0.5, grid->GetCellData()->GetArray("Level")->GetComponent(c, 0));
+    const double size =
+      0.125 * std::pow(0.5, grid->GetCellData()->GetArray("Level")->GetComponent(c, 0));
     EXPECT_NEAR(b[1] - b[0], size, 1e-12);
     for (int k = 0; k < 3; ++k)
     {
