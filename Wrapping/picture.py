@@ -46,15 +46,23 @@ def with_quality(mesh):
     return result
 
 
-def cut_open(mesh, axis, position):
-    """The whole cells on the far side of a plane; position is a fraction of the box."""
+def size_of(text):
+    width, height = text.split("x")
+    return int(width), int(height)
+
+
+def cut_open(mesh, axis, position, sign):
+    """The whole cells whose boxes have their centres on one side of a plane.
+
+    position: a fraction of the box; sign: -1 keeps what is below, 1 what is above.
+    """
     bounds = mesh.GetBounds()
     plane = bounds[2 * axis] + position * (bounds[2 * axis + 1] - bounds[2 * axis])
     kept = vtkIdList()
     box = [0.0] * 6
     for cell in range(mesh.GetNumberOfCells()):
         mesh.GetCellBounds(cell, box)
-        if 0.5 * (box[2 * axis] + box[2 * axis + 1]) <= plane:
+        if sign * (0.5 * (box[2 * axis] + box[2 * axis + 1]) - plane) >= 0:
             kept.InsertNextId(cell)
     extract = vtkExtractCells()
     extract.SetInputData(mesh)
@@ -63,14 +71,33 @@ def cut_open(mesh, axis, position):
     return extract.GetOutput()
 
 
+def fit(renderer, part):
+    """Fills the picture with the points, but for room for the colours on the right."""
+    camera = renderer.GetActiveCamera()
+    matrix = camera.GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1)
+    seen = []
+    for i in range(part.GetNumberOfPoints()):
+        x, y, _, w = matrix.MultiplyPoint((*part.GetPoint(i), 1))
+        seen.append((x / w, y / w))
+    low, high = ([f(p[k] for p in seen) for k in (0, 1)] for f in (min, max))
+    # The picture is -1 to 1 both ways.
+    left, right, top = -0.95, 0.72, 0.95
+    factor = min((right - left) / (high[0] - low[0]), 2 * top / (high[1] - low[1]))
+    camera.Zoom(factor)
+    camera.SetWindowCenter(0.5 * factor * (low[0] + high[0]) - 0.5 * (left + right),
+                           0.5 * factor * (low[1] + high[1]))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("mesh", help="hex mesh, .vtu")
     parser.add_argument("picture", help="result, .png")
-    parser.add_argument("--size", type=int, default=900, help="width and height in pixels")
+    parser.add_argument("--size", type=size_of, default="900x900", help="in pixels, WIDTHxHEIGHT")
     parser.add_argument("--axis", type=int, default=1, choices=(0, 1, 2), help="normal of the cut")
     parser.add_argument("--position", type=float, default=0.5,
                         help="of the cut, as a fraction of the box; 1: not cut")
+    parser.add_argument("--other-side", action="store_true",
+                        help="keep and look at the other side of the cut")
     parser.add_argument("--up", type=int, default=2, choices=(0, 1, 2), help="axis that points up")
     options = parser.parse_args()
     if options.up == options.axis:
@@ -84,7 +111,10 @@ def main():
         raise RuntimeError(f"{options.mesh}: no cells")
     mesh = with_quality(mesh)
     bounds = mesh.GetBounds()
-    part = cut_open(mesh, options.axis, options.position)
+    sign = 1 if options.other_side else -1
+    part = cut_open(mesh, options.axis, options.position, sign)
+    if part.GetNumberOfCells() == 0:
+        raise RuntimeError("no cells on this side of the cut")
 
     # The producer is kept alive by this name: a pipeline of temporaries crashes.
     producer = vtkTrivialProducer()
@@ -109,13 +139,14 @@ def main():
     bar.SetTitle("scaled\nJacobian")
     bar.SetNumberOfLabels(6)
     bar.SetLabelFormat("%.1f")
+    bar.SetVerticalTitleSeparation(8)
     bar.SetPosition(0.87, 0.05)
     bar.SetWidth(0.12)
     bar.SetHeight(0.4)
     bar.UnconstrainedFontSizeOn()
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         text.SetColor(0, 0, 0)
-        text.SetFontSize(max(8, options.size // 55))
+        text.SetFontSize(max(8, min(options.size) // 50))
         text.BoldOff()
         text.ShadowOff()
         text.ItalicOff()
@@ -127,14 +158,14 @@ def main():
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
-    window.SetSize(options.size, options.size)
+    window.SetSize(*options.size)
     window.AddRenderer(renderer)
 
     # Onto the cut, a little from the side and from above.
     center = [0.5 * (bounds[2 * i] + bounds[2 * i + 1]) for i in range(3)]
     side = 3 - options.axis - options.up
     direction = [0.0, 0.0, 0.0]
-    direction[options.axis] = 1.0
+    direction[options.axis] = -sign * 1.0
     direction[side] = 0.45
     direction[options.up] = 0.3
     up = [0.0, 0.0, 0.0]
@@ -144,9 +175,7 @@ def main():
     camera.SetPosition([c + d for c, d in zip(center, direction)])
     camera.SetViewUp(up)
     renderer.ResetCamera()
-    camera.Zoom(1.2)
-    # Room for the colours on the right.
-    camera.SetWindowCenter(0.12, 0)
+    fit(renderer, part)
     renderer.ResetCameraClippingRange()
     window.Render()
 
