@@ -78,6 +78,9 @@ with folder() as place:
         os.remove(path)
         print("%-32s %s" % (name, result.errors.strip() or result.out.strip()))
 
-# The same shape: what is repaired, and size and orientation, change nothing.
-same = {count for name, count in hexes.items() if name[:3] in ("b08", "b09", "b10", "b20", "b21")}
+# The same shape: what is repaired changes nothing. Decimal factors round the coordinates, which decides
+# ties of faces in planes of the octree; TestSameBits scales without rounding.
+same = {count for name, count in hexes.items() if name[:3] in ("b08", "b09", "b10")}
 assert len(same) == 1, hexes
+for name in ("b20_tiny_scale_1e-9.obj", "b21_huge_scale_1e12.obj"):
+    assert abs(hexes[name] - min(same)) < 0.1 * min(same), hexes
