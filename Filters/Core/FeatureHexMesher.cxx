@@ -2,12 +2,11 @@
 #include "FeatureHexMesher.h"
 
 #include "BlockOctree.h"
-#include "CertifiedDistance.h"
 #include "HexDomain.h"
-#include "HexFitting.h"
 #include "HexPadding.h"
 #include "HexUntangling.h"
 #include "OctreeDual.h"
+#include "ProvenFitting.h"
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"
 
@@ -22,15 +21,10 @@ namespace featurehex
 namespace
 {
 constexpr double CellsPerSide = 26;      // default target edge length: longest side / 26 (the paper's)
-constexpr double RefineBeyond = 1.4;     // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
-constexpr double SampleSpacing = 0.5;    // tolerances, between samples of the input (recipe-quality 2)
 constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
-constexpr int MaximumProofs = 4;         // of the distance, in one round
-constexpr double ShareStep = 0.01;       // tightening of the sampled limit after a failed proof
-constexpr int QuadGrid = 7;              // samples per quad side (recipe-quality 3)
 
 /// Adds the wall time between construction and destruction to a stage.
 class StageClock
@@ -99,13 +93,11 @@ private:
   Outcome BuildDomain(Status& status);
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
-  Outcome Improve(Status& status);
   Outcome Validate(Status& status);
   Outcome RaiseQuality(Status& status);
   void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
-  std::vector<Vec3> PlacesBeyond(double tolerances);
   void BeginPhase(const std::string& name, double from, double to);
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
 
@@ -117,8 +109,7 @@ private:
 
   std::unique_ptr<SurfaceGeometry> Surface;
   WindingNumber Winding;
-  std::unique_ptr<CertifiedDistance> Distance;
-  std::vector<Vec3> Samples;
+  std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
   int QualityRounds = 0;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
@@ -130,7 +121,6 @@ private:
   HexDomain Domain;
   PaddedMesh Body;
   HexStars Stars;
-  std::unique_ptr<SurfaceEnvelope> Envelope;
 };
 
 void Mesher::BeginPhase(const std::string& name, double from, double to)
@@ -176,8 +166,10 @@ Status Mesher::Prepare(const SurfaceMesh& input)
   this->Progress.BeginPhase("measuring thickness and gaps", 0.05, 0.1);
   this->Surface = std::make_unique<SurfaceGeometry>(std::move(checked));
   this->Winding = WindingNumber(this->Surface->Mesh());
-  this->Distance = std::make_unique<CertifiedDistance>(this->Surface->Mesh());
-  this->Samples = this->Surface->Samples(SampleSpacing * this->AbsoluteTolerance());
+  ProvenFittingOptions fitting;
+  fitting.Tolerance = this->Options.Tolerance;
+  fitting.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
+  this->Fitting = std::make_unique<ProvenFitting>(*this->Surface, fitting);
   this->EdgeLength = this->Options.TargetEdgeLength > 0
     ? this->Options.TargetEdgeLength
     : this->Surface->Bounds().Size().maxCoeff() / CellsPerSide;
@@ -319,100 +311,32 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   return status.Ok() ? Outcome::Done : Outcome::Failed;
 }
 
-/// Points of the surface whose samples are farther than @a tolerances from the boundary, either way.
-std::vector<Vec3> Mesher::PlacesBeyond(double tolerances)
-{
-  std::vector<EnvelopeContact> contacts;
-  for (Index q = 0; q < static_cast<Index>(this->Stars.Quads.size()); ++q)
-  {
-    this->Envelope->Collect(q, tolerances * this->AbsoluteTolerance(), contacts);
-  }
-  std::vector<Vec3> places;
-  for (const EnvelopeContact& contact : contacts)
-  {
-    places.push_back(contact.SurfacePoint);
-  }
-  return places;
-}
-
 Mesher::Outcome Mesher::Fit(Status& status)
 {
   const StageClock clock(this->Result.Timings, "fitting");
-  this->BeginPhase("fitting to the surface", 0.22, 0.55);
-  this->Envelope = std::make_unique<SurfaceEnvelope>(
-    *this->Surface, this->Samples, this->Body.Mesh, this->Stars, QuadGrid);
-  FittingOptions fitting;
-  fitting.Tolerance = this->Options.Tolerance;
-  status = FitHexes(
-    this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope, fitting, this->Progress);
+  this->BeginPhase("fitting to the surface", 0.22, 0.9);
+  ProvenFittingReport report;
+  status = this->Fitting->Run(this->Body.Mesh, this->Stars, report, this->Progress);
+  this->Result.Improvement = report.Improvement;
   if (!status.Ok())
   {
     return Outcome::Failed;
   }
-  const std::vector<Vec3> places = this->PlacesBeyond(RefineBeyond);
-  if (!places.empty())
+  switch (report.Outcome)
   {
-    const Outcome outcome = this->Refine(
-      "The fitted boundary is far from the surface", StatusCode::Distance, places, status);
-    if (outcome == Outcome::Refine)
-    {
-      return outcome;
-    }
-    status = Status(); // the improvement may still draw it inside
+    case FittingOutcome::Far:
+      return this->Refine("The fitted boundary is far from the surface", StatusCode::Distance,
+        report.Places, status);
+    case FittingOutcome::NotDrawn:
+      return this->Refine("The boundary can't be drawn inside the tolerance",
+        StatusCode::Distance, report.Places, status);
+    case FittingOutcome::NotProven:
+      return this->Refine("The boundary leaves the tolerance", StatusCode::Distance,
+        report.Places, status);
+    case FittingOutcome::Proven:
+      break;
   }
   return Outcome::Done;
-}
-
-/// Improves until the distance is proven. Where a proof fails, the samples were too coarse: its witnesses become
-/// samples, and the limit gets a little tighter.
-Mesher::Outcome Mesher::Improve(Status& status)
-{
-  const StageClock clock(this->Result.Timings, "improving");
-  ImprovementOptions improvement;
-  improvement.Tolerance = this->Options.Tolerance;
-  improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
-  std::vector<Vec3> places;
-  for (int proof = 0; proof < MaximumProofs; ++proof)
-  {
-    this->BeginPhase("improving the worst hexes", 0.55 + 0.35 * proof / MaximumProofs, 0.9);
-    status = ImproveHexes(this->Body.Mesh, this->Stars, *this->Surface, *this->Envelope,
-      improvement, this->Result.Improvement, this->Progress);
-    if (!status.Ok())
-    {
-      return Outcome::Failed;
-    }
-    if (!this->Result.Improvement.Drawn)
-    {
-      return this->Refine("The boundary can't be drawn inside the tolerance", StatusCode::Distance,
-        this->PlacesBeyond(improvement.EnvelopeShare), status);
-    }
-    const DistanceDecision decision = this->Distance->DistanceWithin(
-      this->Body.Mesh.Points, this->Stars.Quads, this->AbsoluteTolerance(), this->Progress);
-    if (this->Progress.Stopped())
-    {
-      status = this->Progress.StopStatus();
-      return Outcome::Failed;
-    }
-    if (decision.Within)
-    {
-      return Outcome::Done;
-    }
-    places.clear();
-    for (const DistanceWitness& w : decision.Triangles)
-    {
-      places.push_back(w.Point);
-      this->Samples.push_back(w.Point);
-    }
-    for (const DistanceWitness& w : decision.Quads)
-    {
-      places.push_back(this->Surface->Search().Closest(w.Point).Point);
-    }
-    improvement.EnvelopeShare -= ShareStep;
-    improvement.MaximumRounds = 1;
-    this->Envelope = std::make_unique<SurfaceEnvelope>(
-      *this->Surface, this->Samples, this->Body.Mesh, this->Stars, QuadGrid);
-  }
-  return this->Refine("The boundary leaves the tolerance", StatusCode::Distance, places, status);
 }
 
 Mesher::Outcome Mesher::Validate(Status& status)
@@ -497,7 +421,7 @@ Mesher::Outcome Mesher::RunRound(int round, Status& status)
   this->Round = round;
   this->Result.Rounds.emplace_back();
   for (const auto stage : { &Mesher::BuildDomain, &Mesher::BuildBody, &Mesher::Fit,
-         &Mesher::Improve, &Mesher::Validate, &Mesher::RaiseQuality })
+         &Mesher::Validate, &Mesher::RaiseQuality })
   {
     const Outcome outcome = (this->*stage)(status);
     if (outcome != Outcome::Done)

@@ -17,6 +17,7 @@ constexpr int DrawSweeps = 40;
 constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
 constexpr int AverageSweeps = 5;
+constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
 constexpr double HopelessShare = 0.97;
 constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
@@ -165,6 +166,24 @@ public:
     this->UpdateQualities();
   }
 
+  /// Boundary vertices onto the surface, one at a time, where nothing gets worse. Returns how many are on it.
+  Index Project(double floor)
+  {
+    for (std::size_t v = 0; v < this->Chosen.size(); ++v)
+    {
+      this->Chosen[v] = this->Stars.OnBoundary(static_cast<Index>(v));
+    }
+    std::size_t arrived = 0;
+    for (int sweep = 0; sweep < ProjectionSweeps && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      arrived = this->Schedule.Sweep([this, floor](Index v) {
+        return this->Chosen[v] && this->Vertices.Project(v, this->Surface, floor);
+      });
+    }
+    this->UpdateQualities();
+    return static_cast<Index>(arrived);
+  }
+
   void SetFraction(double fraction) { this->Fraction = fraction; }
 
 private:
@@ -253,6 +272,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     ++report.Rounds;
   }
   improvement.RaiseAverage(std::min(target, improvement.Minimum()));
+  report.OnSurface = improvement.Project(std::min(target, improvement.Minimum()));
   envelope.Rebuild();
   improvement.DrawInside();
   if (monitor.Stopped())

@@ -31,6 +31,7 @@ struct ImprovementReport
   double Distance = 0; ///< bound of the sampled distance at the end, model units
   bool Drawn = false;  ///< the boundary came well inside the tolerance
   int Rounds = 0;
+  Index OnSurface = 0;   ///< boundary vertices that lie on the surface exactly (before a last correction)
   Index BelowTarget = 0; ///< hexes left below the wanted minimum
 };
 

@@ -688,4 +688,28 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
     return sum < energy - 1e-12 * energy;
   });
 }
+
+bool VertexImprover::Project(Index vertex, const SurfaceGeometry& surface, double floor)
+{
+  static thread_local Star star;
+  this->Gather(vertex, star);
+  const Vec3 target = surface.Search().Closest(star.Position).Point;
+  if (target == star.Position)
+  {
+    return true;
+  }
+  const double lowest = std::min(star.Least, floor) - 1e-12;
+  const bool moved = this->Search(vertex, star, target - star.Position, 3, [&](const Vec3& x) {
+    for (const Corner& corner : star.Corners)
+    {
+      if (corner.ScaledJacobian(x) < lowest)
+      {
+        return false;
+      }
+    }
+    return true;
+  });
+  // The whole step lands on the target, up to the rounding of one addition.
+  return moved && (this->Mesh.Points[vertex] - target).norm() <= 1e-12 * surface.Diagonal();
+}
 }

@@ -47,6 +47,9 @@ public:
   /// Newton step on the distortion near the surface; corners stay above min(their value, floor).
   bool RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor);
 
+  /// Move towards the closest surface point; corners stay above min(their value, floor). True: it got there.
+  bool Project(Index vertex, const SurfaceGeometry& surface, double floor);
+
   double Limit() const { return this->EnvelopeLimit; }
 
   /// Are the hexes and quads round the vertices sound after a move? For moves of several vertices at once.

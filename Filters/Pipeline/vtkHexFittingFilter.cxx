@@ -3,11 +3,9 @@
 
 #include "ArrayNames.h"
 #include "BoundaryPatches.h"
-#include "CertifiedDistance.h"
 #include "DataConversion.h"
-#include "HexFitting.h"
-#include "HexImprovement.h"
 #include "HexUntangling.h"
+#include "ProvenFitting.h"
 #include "SurfaceSizing.h"
 
 #include "vtkCellData.h"
@@ -22,43 +20,6 @@ vtkStandardNewMacro(vtkHexFittingFilter);
 namespace
 {
 using namespace featurehex;
-
-// As in the composite (recipe-quality 2 and 3).
-constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input
-constexpr int QuadGrid = 7;           // samples per quad side
-
-constexpr double RefineBeyond =
-  1.4; // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
-
-/// Samples of the surface farther than @a limit from the boundary, either way.
-std::vector<Vec3> SamplesBeyond(SurfaceEnvelope& envelope, const HexStars& stars, double limit)
-{
-  std::vector<EnvelopeContact> contacts;
-  for (Index q = 0; q < static_cast<Index>(stars.Quads.size()); ++q)
-  {
-    envelope.Collect(q, limit, contacts);
-  }
-  std::vector<Vec3> places;
-  for (const EnvelopeContact& contact : contacts)
-  {
-    places.push_back(contact.SurfacePoint);
-  }
-  return places;
-}
-
-/// Both directions: points of the mesh and of the surface that are not proven to be near enough.
-std::vector<Vec3> WitnessPoints(const DistanceDecision& decision)
-{
-  std::vector<Vec3> places;
-  for (const std::vector<DistanceWitness>* witnesses : { &decision.Triangles, &decision.Quads })
-  {
-    for (const DistanceWitness& witness : *witnesses)
-    {
-      places.push_back(witness.Point);
-    }
-  }
-  return places;
-}
 
 /// One level finer than the hexes next to @a places.
 std::vector<std::pair<RefinementPoint, std::string>> PointsToRefine(const HexMesh& mesh,
@@ -149,51 +110,28 @@ featurehex::Status vtkHexFittingFilter::Compute(
     return status;
   }
 
-  monitor.BeginPhase("fitting to the surface", 0.1, 0.5);
+  monitor.BeginPhase("fitting to the surface", 0.1, 1.0);
   const SurfaceGeometry surface(std::move(checked));
-  const double tolerance = this->Tolerance * surface.Diagonal();
-  const std::vector<Vec3> samples = surface.Samples(SampleSpacing * tolerance);
   const HexStars stars(mesh);
-  SurfaceEnvelope envelope(surface, samples, mesh, stars, QuadGrid);
-  FittingOptions fitting;
-  fitting.Tolerance = this->Tolerance;
-  fitting.Iterations = this->FittingIterations;
-  status = FitHexes(mesh, stars, surface, envelope, fitting, monitor);
-  std::vector<Vec3> places;
-  if (status.Ok())
-  {
-    places = SamplesBeyond(envelope, stars, RefineBeyond * tolerance);
-  }
-  FigureRow row;
-  row.Numbers = { { "WithinTolerance", 0.0 }, { "Improved", 0.0 } };
-  if (status.Ok() && places.empty() && this->MinimumScaledJacobian > 0)
-  {
-    ImprovementReport report;
-    monitor.BeginPhase("improving the worst hexes", 0.5, 0.9);
-    ImprovementOptions improvement;
-    improvement.Tolerance = this->Tolerance;
-    improvement.MinimumScaledJacobian = this->MinimumScaledJacobian;
-    improvement.MaximumRounds = this->ImprovementRounds;
-    status = ImproveHexes(mesh, stars, surface, envelope, improvement, report, monitor);
-    row.Numbers[1].second = report.Drawn;
-    if (!report.Drawn)
-    {
-      places = SamplesBeyond(envelope, stars, improvement.EnvelopeShare * tolerance);
-    }
-    row.Numbers.emplace_back("HexesBelowMinimum", report.BelowTarget);
-  }
-  if (status.Ok() && places.empty())
-  {
-    monitor.BeginPhase("measuring distances", 0.9, 1.0);
-    const DistanceDecision decision =
-      CertifiedDistance(surface.Mesh())
-        .DistanceWithin(mesh.Points, stars.Quads, tolerance, monitor);
-    row.Numbers[0].second = decision.Within;
-    places = WitnessPoints(decision);
-  }
+  ProvenFittingOptions options;
+  options.Tolerance = this->Tolerance;
+  options.MinimumScaledJacobian = this->MinimumScaledJacobian;
+  options.FittingIterations = this->FittingIterations;
+  options.ImprovementRounds = this->ImprovementRounds;
+  ProvenFittingReport report;
+  status = ProvenFitting(surface, options).Run(mesh, stars, report, monitor);
   if (!status.Ok())
   {
     return status;
+  }
+  const std::vector<Vec3>& places = report.Places;
+  const bool improved = this->MinimumScaledJacobian > 0 && report.Improvement.Drawn;
+  FigureRow row;
+  row.Numbers = { { "WithinTolerance", report.Outcome == FittingOutcome::Proven ? 1.0 : 0.0 },
+    { "Improved", improved ? 1.0 : 0.0 } };
+  if (improved)
+  {
+    row.Numbers.emplace_back("HexesBelowMinimum", report.Improvement.BelowTarget);
   }
 
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProvenFitting.h"
+
+#include "SubMonitor.h"
+
+#include <memory>
+
+namespace featurehex
+{
+namespace
+{
+constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
+constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
+constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
+constexpr int MaximumProofs = 4;
+constexpr double ShareStep = 0.01; // tightening of the sampled limit after a failed proof
+constexpr double FittingShare = 0.4; // of the progress
+
+/// Points of the surface whose samples are farther than @a limit from the boundary, either way.
+std::vector<Vec3> PlacesBeyond(SurfaceEnvelope& envelope, const HexStars& stars, double limit)
+{
+  std::vector<EnvelopeContact> contacts;
+  for (Index q = 0; q < static_cast<Index>(stars.Quads.size()); ++q)
+  {
+    envelope.Collect(q, limit, contacts);
+  }
+  std::vector<Vec3> places;
+  places.reserve(contacts.size());
+  for (const EnvelopeContact& contact : contacts)
+  {
+    places.push_back(contact.SurfacePoint);
+  }
+  return places;
+}
+}
+
+ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFittingOptions& options)
+  : Surface(surface)
+  , Options(options)
+  , Distance(surface.Mesh())
+  , Samples(surface.Samples(SampleSpacing * options.Tolerance * surface.Diagonal()))
+{
+}
+
+Status ProvenFitting::Run(
+  HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor)
+{
+  report = ProvenFittingReport();
+  FittingOptions fitting;
+  fitting.Tolerance = this->Options.Tolerance;
+  fitting.Iterations = this->Options.FittingIterations;
+  {
+    SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid);
+    SubMonitor part(monitor, 0.0, FittingShare);
+    Status status = FitHexes(mesh, stars, this->Surface, envelope, fitting, part);
+    if (!status.Ok())
+    {
+      return monitor.Stopped() ? monitor.StopStatus() : status;
+    }
+    report.Places = PlacesBeyond(envelope, stars, RefineBeyond * this->AbsoluteTolerance());
+  }
+  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, report, monitor) : Status();
+}
+
+Status ProvenFitting::ImproveAndProve(
+  HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor)
+{
+  ImprovementOptions improvement;
+  improvement.Tolerance = this->Options.Tolerance;
+  improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
+  improvement.MaximumRounds = this->Options.ImprovementRounds;
+  const double width = (1 - FittingShare) / MaximumProofs;
+  for (int proof = 0; proof < MaximumProofs; ++proof)
+  {
+    const double start = FittingShare + proof * width;
+    if (this->Options.MinimumScaledJacobian > 0)
+    {
+      SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid);
+      SubMonitor part(monitor, start, start + 0.8 * width);
+      Status status = ImproveHexes(
+        mesh, stars, this->Surface, envelope, improvement, report.Improvement, part);
+      if (!status.Ok())
+      {
+        return monitor.Stopped() ? monitor.StopStatus() : status;
+      }
+      if (!report.Improvement.Drawn)
+      {
+        report.Outcome = FittingOutcome::NotDrawn;
+        report.Places = PlacesBeyond(
+          envelope, stars, improvement.EnvelopeShare * this->AbsoluteTolerance());
+        return Status();
+      }
+    }
+    SubMonitor part(monitor, start + 0.8 * width, start + width);
+    const DistanceDecision decision =
+      this->Distance.DistanceWithin(mesh.Points, stars.Quads, this->AbsoluteTolerance(), part);
+    if (monitor.Stopped())
+    {
+      return monitor.StopStatus();
+    }
+    report.Outcome = decision.Within ? FittingOutcome::Proven : FittingOutcome::NotProven;
+    report.Places.clear();
+    for (const DistanceWitness& w : decision.Triangles)
+    {
+      report.Places.push_back(w.Point);
+      this->Samples.push_back(w.Point);
+    }
+    for (const DistanceWitness& w : decision.Quads)
+    {
+      report.Places.push_back(this->Surface.Search().Closest(w.Point).Point);
+    }
+    if (decision.Within || this->Options.MinimumScaledJacobian <= 0)
+    {
+      break;
+    }
+    improvement.EnvelopeShare -= ShareStep;
+    improvement.MaximumRounds = 1;
+  }
+  return Status();
+}
+}

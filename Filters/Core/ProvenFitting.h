@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Stage 8 as a whole: fit, improve, and prove the distance.
+
+#ifndef featurehex_ProvenFitting_h
+#define featurehex_ProvenFitting_h
+
+#include "CertifiedDistance.h"
+#include "HexFitting.h"
+#include "HexImprovement.h"
+
+namespace featurehex
+{
+struct ProvenFittingOptions
+{
+  /// Fraction of the diagonal of the surface's bounding box.
+  double Tolerance = 0.005;
+  /// Wanted, best effort; 0: no improvement.
+  double MinimumScaledJacobian = 0.55;
+  int FittingIterations = 14;
+  int ImprovementRounds = 8;
+};
+
+enum class FittingOutcome
+{
+  Proven,   ///< every point of both surfaces is within the tolerance
+  Far,      ///< the fitted boundary is too far for the improvement to mend
+  NotDrawn, ///< the improvement could not draw the boundary inside the tolerance
+  NotProven ///< the samples are inside, but not all points are known to be
+};
+
+struct ProvenFittingReport
+{
+  FittingOutcome Outcome = FittingOutcome::Far;
+  /// Where the surface is beyond the tolerance or not proven to be within: more cells help there.
+  std::vector<Vec3> Places;
+  ImprovementReport Improvement;
+};
+
+/// Fits a mesh without inverted hexes to a surface. Where the proof of the distance fails, the samples were too
+/// coarse: its witnesses become samples, the limit gets a little tighter, and the improvement runs again.
+class ProvenFitting
+{
+public:
+  /// Keeps the reference.
+  ProvenFitting(const SurfaceGeometry& surface, const ProvenFittingOptions& options);
+
+  Status Run(
+    HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor);
+
+private:
+  double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
+  Status ImproveAndProve(
+    HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor);
+
+  const SurfaceGeometry& Surface;
+  ProvenFittingOptions Options;
+  CertifiedDistance Distance;
+  std::vector<Vec3> Samples; ///< of the surface; grows by the witnesses of failed proofs
+};
+}
+
+#endif
