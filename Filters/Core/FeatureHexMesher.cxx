@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <memory>
 #include <sstream>
 
@@ -22,6 +23,7 @@ namespace
 {
 constexpr double CellsPerSide = 26;      // default target edge length: longest side / 26 (the paper's)
 constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
+constexpr double FarFromOrigin = 100;    // diagonals
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
@@ -62,7 +64,7 @@ std::string Place(const Vec3& p)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
-  text << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+  text << std::setprecision(12) << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
   return text.str();
 }
 
@@ -74,6 +76,7 @@ public:
     : Options(options)
     , Progress(monitor)
     , Result(result)
+    , LastRound(options.MaximumRounds)
   {
   }
 
@@ -89,6 +92,8 @@ private:
 
   Status CheckOptions() const;
   Status Prepare(const SurfaceMesh& input);
+  void MoveToOrigin(SurfaceMesh& surface);
+  std::vector<Vec3> MovedBack(std::vector<Vec3> points) const;
   Outcome RunRound(int round, Status& status);
   Outcome BuildDomain(Status& status);
   Outcome BuildBody(Status& status);
@@ -105,12 +110,15 @@ private:
   Monitor& Progress;
   MeshingResult& Result;
   double EdgeLength = 0;
+  Vec3 Offset = Vec3::Zero(); ///< from the coordinates of the stages to those of the input
   int Round = 0;
 
   std::unique_ptr<SurfaceGeometry> Surface;
   WindingNumber Winding;
   std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
+  int LastRound = 0; ///< rounds before it gives up
+  bool Halved = false;
   int QualityRounds = 0;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
@@ -149,6 +157,37 @@ Status Mesher::CheckOptions() const
   return Status();
 }
 
+/// A surface far from the origin has few bits left for its shape: all stages work near the origin. The shift is a
+/// multiple of the spacing of its coordinates, so that no point of the surface is rounded.
+void Mesher::MoveToOrigin(SurfaceMesh& surface)
+{
+  const Box box = BoundingBox(surface);
+  for (int k = 0; k < 3; ++k)
+  {
+    const double center = box.Center()[k];
+    if (std::abs(center) > FarFromOrigin * box.Diagonal())
+    {
+      int exponent = 0;
+      std::frexp(std::max(std::abs(box.Low[k]), std::abs(box.High[k])), &exponent);
+      const double spacing = std::ldexp(1.0, exponent - 53);
+      this->Offset[k] = std::round(center / spacing) * spacing;
+    }
+  }
+  for (Vec3& p : surface.Points)
+  {
+    p -= this->Offset;
+  }
+}
+
+std::vector<Vec3> Mesher::MovedBack(std::vector<Vec3> points) const
+{
+  for (Vec3& p : points)
+  {
+    p += this->Offset;
+  }
+  return points;
+}
+
 Status Mesher::Prepare(const SurfaceMesh& input)
 {
   SurfaceMesh checked = input;
@@ -162,6 +201,7 @@ Status Mesher::Prepare(const SurfaceMesh& input)
       return status;
     }
   }
+  this->MoveToOrigin(checked);
   const StageClock clock(this->Result.Timings, "sizing");
   this->Progress.BeginPhase("measuring thickness and gaps", 0.05, 0.1);
   this->Surface = std::make_unique<SurfaceGeometry>(std::move(checked));
@@ -184,8 +224,8 @@ Status Mesher::Prepare(const SurfaceMesh& input)
   return this->Progress.StopStatus();
 }
 
-/// Adds refinement points one level below the cells at @a places. Fails with @a reason when nothing can be
-/// refined any more.
+/// Adds refinement points one level below the cells at @a places. When nothing can be refined there any more, or
+/// rounds run out, all cells are halved, once; then it fails with @a reason.
 Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   const std::vector<Vec3>& places, Status& status)
 {
@@ -202,14 +242,28 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   MeshingRound& round = this->Result.Rounds.back();
   round.Reason = reason;
   round.RefinementPoints = static_cast<Index>(points.size());
-  if (points.empty() || this->Round + 1 >= this->Options.MaximumRounds)
+  const bool last = this->Round + 1 >= this->LastRound;
+  if ((points.empty() || last) && this->Best.Mesh.Hexes.empty() && !this->Halved)
   {
+    this->Halved = true;
+    this->LastRound += this->Options.MaximumRounds;
+    this->EdgeLength /= 2;
+    for (RefinementPoint& point : this->Points)
+    {
+      --point.Level;
+    }
+    round.Reason += "; all cells are halved";
+    return Outcome::Refine;
+  }
+  if (points.empty() || last)
+  {
+    const int rounds = this->Round + 1;
     status = Status(code,
-      reason + (places.empty() ? "" : ", first at " + Place(places.front())) + ", after " +
-        std::to_string(this->Round + 1) + " rounds of refinement" +
-        (points.empty() ? " with cells at MaximumLevel" : "") +
-        ". Lower TargetEdgeLength or raise MaximumLevel for finer cells there, or raise Tolerance.",
-      places);
+      reason + (places.empty() ? "" : ", first at " + Place(places.front() + this->Offset)) +
+        ", after " + std::to_string(rounds) + (rounds == 1 ? " round" : " rounds") +
+        " of refinement" + (points.empty() ? " with cells at MaximumLevel there" : "") +
+        ". Lower TargetEdgeLength or raise MaximumLevel for finer cells, or raise Tolerance.",
+      this->MovedBack(places));
     return Outcome::Failed;
   }
   this->Points.insert(this->Points.end(), points.begin(), points.end());
@@ -267,7 +321,7 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
     return this->Refine("The hexes have other components, tunnels or cavities than the surface",
       StatusCode::Topology, places, status);
   }
-  if (!places.empty() && this->Round + 1 < this->Options.MaximumRounds)
+  if (!places.empty() && this->Round + 1 < this->LastRound)
   {
     const Outcome outcome =
       this->Refine("Parts of the surface have no hexes near them", StatusCode::Distance, places, status);
@@ -346,8 +400,11 @@ Mesher::Outcome Mesher::Validate(Status& status)
   HexValidationOptions validation;
   validation.Tolerance = this->Options.Tolerance;
   HexValidationReport& report = this->Result.Validation;
-  report =
-    ValidateHexMesh(this->Body.Mesh, &this->Surface->Mesh(), validation, this->Progress);
+  // What is judged is what the user gets: the points moved back, rounding included.
+  const HexMesh mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
+  const SurfaceMesh surface = { this->MovedBack(this->Surface->Mesh().Points),
+    this->Surface->Mesh().Triangles };
+  report = ValidateHexMesh(mesh, &surface, validation, this->Progress);
   if (report.Result.Ok())
   {
     return Outcome::Done;
@@ -404,7 +461,7 @@ void Mesher::KeepBest()
   if (this->Best.Mesh.Hexes.empty() ||
     this->Result.Validation.Quality.Minimum > this->Best.Validation.Quality.Minimum)
   {
-    this->Best.Mesh = this->Body.Mesh;
+    this->Best.Mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
     this->Best.Region = this->Body.Region;
     this->Best.Level.clear();
     for (Index source : this->Body.SourceHex)

@@ -3,7 +3,7 @@
 
 #include "SubMonitor.h"
 
-#include <memory>
+#include <algorithm>
 
 namespace featurehex
 {
@@ -13,6 +13,7 @@ constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the
 constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 4;
+constexpr int RoundsAfterProof = 3; // of improvement: most was done before the proof
 constexpr double ShareStep = 0.01; // tightening of the sampled limit after a failed proof
 constexpr double FittingShare = 0.4; // of the progress
 
@@ -114,7 +115,7 @@ Status ProvenFitting::ImproveAndProve(
       break;
     }
     improvement.EnvelopeShare -= ShareStep;
-    improvement.MaximumRounds = 1;
+    improvement.MaximumRounds = std::min(improvement.MaximumRounds, RoundsAfterProof);
   }
   return Status();
 }
