@@ -104,13 +104,14 @@ double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
 /// A corner of an incident hex as a function of the vertex, which is its apex or the end of one of its edges.
 struct VertexImprover::Corner
 {
-  bool Apex;
-  std::array<Vec3, 3> Ends; ///< apex: the three neighbours
-  Vec3 Origin;              ///< edge end: the apex
-  Vec3 Cross;               ///< edge end: cross product of the two other edges ...
-  double Product;           ///< ... of their lengths ...
-  double Squares;           ///< ... and the sum of their squared lengths
-  double Value;             ///< scaled Jacobian at the start
+  bool Apex = true;
+  /// Apex: the three neighbours.
+  std::array<Vec3, 3> Ends = { Vec3::Zero(), Vec3::Zero(), Vec3::Zero() };
+  Vec3 Origin = Vec3::Zero(); ///< edge end: the apex
+  Vec3 Cross = Vec3::Zero();  ///< edge end: cross product of the two other edges ...
+  double Product = 0;         ///< ... of their lengths ...
+  double Squares = 0;         ///< ... and the sum of their squared lengths
+  double Value = 0;           ///< scaled Jacobian at the start
 
   double ScaledJacobian(const Vec3& x) const
   {
@@ -303,7 +304,6 @@ void VertexImprover::Gather(Index vertex, Star& star) const
     const Hex& hex = this->Mesh.Hexes[this->Stars.Hexes.Ids[i]];
     const int local = this->Stars.Corners[i];
     Corner corner;
-    corner.Apex = true;
     for (int k = 0; k < 3; ++k)
     {
       corner.Ends[k] = this->Mesh.Points[hex[HexCornerNeighbors[local][k]]];
