@@ -262,7 +262,7 @@ private:
       {
         Status status = this->Count(keyword, section.Width, count);
         std::string_view word;
-        for (std::int64_t i = 0; i < count * section.Width && status.Ok(); ++i)
+        for (std::int64_t i = 0; status.Ok() && i < count * section.Width; ++i)
         {
           if (!this->Scanner.Word(word))
           {

@@ -151,6 +151,7 @@ TEST(MeditFile, ErrorsNameTheLine)
     { head + points + "Edges 1\n1 2 0\nRidges 1\n2\n", StatusCode::IndexOutOfRange, "edge 2" },
     { head + points + "Tetrahedra 1\n1 2 1 2 0\n", StatusCode::InvalidMesh, "1 Tetrahedra" },
     { head + points + "Normals 1\n1 2\n", StatusCode::UnreadableFile, "truncated" },
+    { head + points + "Tangents 9223372036854775807\n", StatusCode::UnreadableFile, "Tangents" },
     { head + points + "Surprise 1\n", StatusCode::UnreadableFile, "\"Surprise\"" } };
   for (const auto& c : cases)
   {
