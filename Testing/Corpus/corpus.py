@@ -105,13 +105,15 @@ def text(value):
 def read_table(path):
     """{first column: {column: text}}"""
     with open(path, encoding="utf-8") as file:
-        lines = [line.rstrip("\n").split("\t") for line in file if line.strip()]
+        lines = [line.rstrip("\n").split("\t") for line in file
+                 if line.strip() and not line.startswith("#")]
     return {row[0]: dict(zip(lines[0], row)) for row in lines[1:]}
 
 
-def write_table(path, columns, rows):
+def write_table(path, columns, rows, comment=""):
     temporary = path + ".part"
     with open(temporary, "w", encoding="utf-8") as file:
+        file.writelines("# " + line + "\n" for line in comment.splitlines())
         file.write("\t".join(columns) + "\n")
         for row in rows:
             file.write("\t".join(text(row.get(column)) for column in columns) + "\n")
