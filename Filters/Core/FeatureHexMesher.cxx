@@ -468,6 +468,7 @@ void Mesher::KeepBest()
     {
       this->Best.Level.push_back(this->DualArrays.HexLevel[source] - this->Octree.BaseLevel);
     }
+    this->Best.TargetEdgeLength = this->EdgeLength;
     this->Best.Improvement = this->Result.Improvement;
     this->Best.Validation = this->Result.Validation;
   }
@@ -512,6 +513,7 @@ Status Mesher::Run(const SurfaceMesh& input)
   {
     return status;
   }
+  this->Result.TargetEdgeLength = this->Best.TargetEdgeLength;
   // A later round may have failed or run out of time: the best valid mesh counts.
   this->Result.Mesh = std::move(this->Best.Mesh);
   this->Result.Region = std::move(this->Best.Region);

@@ -35,7 +35,9 @@ enum class StatusCode
   Topology,          ///< components or genus of the input not reached
   Untangling,        ///< inverted hexes remain
   Distance,          ///< the boundary leaves the tolerance
-  Validation         ///< the finished mesh broke a promise
+  Validation,        ///< the finished mesh broke a promise
+  OutOfMemory,       ///< an allocation failed
+  Unexpected         ///< an exception of a library: a defect of the program
 };
 
 /// Result of a core algorithm. Message: what is wrong, where, how much, what to do.
@@ -61,7 +63,8 @@ inline const char* StatusCodeName(StatusCode code)
   constexpr const char* names[] = { "Ok", "Aborted", "TimeLimit", "CellLimit", "InvalidOption",
     "UnreadableFile", "UnwritableFile", "EmptySurface", "NonFinite", "IndexOutOfRange",
     "Degenerate", "OpenBoundary", "NonManifold", "NotOrientable", "SelfIntersection",
-    "InvalidMesh", "Topology", "Untangling", "Distance", "Validation" };
+    "InvalidMesh", "Topology", "Untangling", "Distance", "Validation", "OutOfMemory",
+    "Unexpected" };
   return names[static_cast<int>(code)];
 }
 }

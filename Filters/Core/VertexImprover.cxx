@@ -14,7 +14,7 @@ namespace
 {
 constexpr double LeastEdgeRatio = 0.2;
 constexpr double LongestStep = 0.3;      // of the mean or shortest edge
-constexpr double NearLimit = 0.6;        // share of the limit from which contacts are felt
+constexpr double NearLimit = 0.6;       // share of the limit from which contacts are felt
 constexpr double BarrierPull = 10.0;     // weight and start (share of the limit) of the envelope term
 constexpr double BarrierPullStart = 0.8; // ... beside the barrier
 constexpr double DrawPullStart = 0.9;

@@ -52,7 +52,7 @@ public:
 
   double Limit() const { return this->EnvelopeLimit; }
 
-  /// Are the hexes and quads round the vertices sound after a move? For moves of several vertices at once.
+  /// Shortest / longest edge at the vertex if it were at @a position.
   double EdgeRatio(Index vertex, const Vec3& position) const;
 
 private:

@@ -149,21 +149,22 @@ int vtkFeatureHexAlgorithm::RequestData(
   try
   {
     status = this->Compute(inputs, outputs, monitor);
-    if (status.Ok())
+    // A time limit is for Compute() to judge: the composite may have a valid mesh by then.
+    if (status.Ok() && monitor.StopStatus().Code == featurehex::StatusCode::Aborted)
     {
       status = monitor.StopStatus();
     }
   }
   catch (const std::bad_alloc&)
   {
-    status = featurehex::Status(featurehex::StatusCode::CellLimit,
+    status = featurehex::Status(featurehex::StatusCode::OutOfMemory,
       "Not enough memory. Use larger cells (TargetEdgeLength), fewer levels (MaximumLevel) or a "
       "smaller input.");
   }
   catch (const std::exception& error)
   {
     status = featurehex::Status(
-      featurehex::StatusCode::Validation, std::string("Unexpected failure: ") + error.what());
+      featurehex::StatusCode::Unexpected, std::string("Unexpected failure: ") + error.what());
   }
   if (!status.Ok())
   {

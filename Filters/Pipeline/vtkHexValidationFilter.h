@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHexValidationFilter
- * @brief Measures every promise about a hex mesh, with code that shares nothing with the mesher.
+ * @brief Measures every promise about a hex mesh, with code that shares nothing with the optimiser.
  *
  * Scaled Jacobians (guarded: a broken hex never looks good), certified positivity of every Jacobian
  * over the whole element, conformity, manifold boundary, components, genus and cavities, exact

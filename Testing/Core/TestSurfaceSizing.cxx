@@ -119,7 +119,7 @@ TEST(SurfaceSizing, RightAnglesNeedNothing)
 TEST(SurfaceSizing, ThicknessDecidesTheLevel)
 {
   const double edge = 1.0;
-  EXPECT_TRUE(Sizing(BoxSurface(Vec3::Zero(), Vec3(20, 20, 1.6)), edge, 0.1).empty());
+  EXPECT_TRUE(Sizing(BoxSurface(Vec3::Zero(), Vec3(20, 20, 2.2)), edge, 0.1).empty());
   const std::vector<RefinementPoint> once =
     Sizing(BoxSurface(Vec3::Zero(), Vec3(20, 20, 1.0)), edge, 0.1);
   EXPECT_EQ(HighestLevel(once), 1);

@@ -17,7 +17,7 @@ namespace
 std::vector<Index> Order(const VertexSchedule& schedule)
 {
   std::vector<Index> order;
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1 }, [&] {
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ std::string("Sequential") }, [&] {
     schedule.Sweep([&](Index v) {
       order.push_back(v);
       return true;

@@ -36,6 +36,9 @@ ExitCode ExitCodeOf(StatusCode code)
     case StatusCode::Distance:
     case StatusCode::Validation:
       return ExitCode::Failed;
+    case StatusCode::OutOfMemory:
+    case StatusCode::Unexpected:
+      return ExitCode::Internal;
   }
   return ExitCode::Internal;
 }
