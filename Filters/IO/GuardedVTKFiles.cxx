@@ -10,15 +10,18 @@
 #include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataCompressor.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
+#include "vtkXMLDataParser.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -57,6 +60,25 @@ private:
   }
 
   std::string Message;
+};
+
+/// An XML reader whose decompressor reports to the reader's error observer too: it would print.
+template <typename XMLReader>
+class ObservedReader : public XMLReader
+{
+public:
+  static ObservedReader* New() { VTK_STANDARD_NEW_BODY(ObservedReader); }
+
+protected:
+  int ReadPrimaryElement(vtkXMLDataElement* element) override
+  {
+    // By now the head of the file is read, which names the compressor.
+    if (vtkDataCompressor* compressor = this->XMLParser->GetCompressor())
+    {
+      compressor->AddObserver(vtkCommand::ErrorEvent, this->GetReaderErrorObserver());
+    }
+    return XMLReader::ReadPrimaryElement(element);
+  }
 };
 
 Status Unreadable(const std::string& path, const std::string& what)
@@ -98,6 +120,55 @@ Status CheckXMLCounts(const std::string& path, const std::string& bytes)
         !ParseInteger(rest.substr(1, last - 1), count) || count < 0 || count > most)
     {
       return TooMany(path, text.substr(at, equals - at), count);
+    }
+  }
+  return {};
+}
+
+/// Value of an attribute in the text of an XML tag; empty: it has none of this name.
+std::string_view AttributeOf(std::string_view tag, std::string_view name)
+{
+  const char* const space = " \t\r\n";
+  for (std::size_t at = 0; at < tag.size();)
+  {
+    const std::size_t equals = tag.find('=', at);
+    const std::size_t open = tag.find_first_of("\"'", equals);
+    if (equals == std::string_view::npos || open == std::string_view::npos)
+    {
+      break;
+    }
+    const std::size_t close = std::min(tag.find(tag[open], open + 1), tag.size());
+    const std::size_t last = tag.find_last_not_of(space, equals - 1);
+    const std::size_t first = tag.find_last_of(space, last) + 1;
+    if (equals > 0 && last != std::string_view::npos && tag.substr(first, last + 1 - first) == name)
+    {
+      return tag.substr(open + 1, close - open - 1);
+    }
+    at = close + 1;
+  }
+  return {};
+}
+
+/// Each array has a type that VTK knows: VTK 9.1 crashes on field data that
+/// hasn't, and prints its complaint.
+Status CheckXMLTypes(const std::string& path, std::string_view text)
+{
+  static const std::string_view Types[] = { "Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16",
+    "UInt32", "UInt64", "Float32", "Float64", "String", "Bit" };
+  for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at + 1))
+  {
+    const std::string_view tag = text.substr(at + 1, text.find('<', at + 1) - at - 1);
+    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/>"));
+    if (name == "AppendedData")
+    {
+      break;
+    }
+    const std::string_view type = AttributeOf(tag, "type");
+    if ((name == "DataArray" || name == "Array") &&
+        std::find(std::begin(Types), std::end(Types), type) == std::end(Types))
+    {
+      return Unreadable(path, "an array has the type " + Quoted(type) +
+                                ", which is no type of a VTK file. Export or copy the file again.");
     }
   }
   return {};
@@ -277,9 +348,10 @@ Status Read(const std::string& path, const char* xmlExtension, Data* output)
   if (FileExtension(path) == xmlExtension)
   {
     status = CheckXMLCounts(path, bytes);
+    status = status.Ok() ? CheckXMLTypes(path, bytes) : status;
     if (status.Ok())
     {
-      vtkNew<XMLReader> reader;
+      vtkNew<ObservedReader<XMLReader>> reader;
       status = RunReader(path, reader.Get(), data);
     }
   }

@@ -433,7 +433,12 @@ TEST_F(ReadersAndWriters, HexMeshReaderRejectsOtherCellsAndWrongIds)
     { "c.vtk", head + "CELLS 1 5\n4 0 1 2 4\nCELL_TYPES 1\n10\n", "do not exist" },
     { "d.vtk", head + "CELLS 1 5\n4 0 1 2 -1\nCELL_TYPES 1\n10\n", "does not exist" },
     { "e.vtk", head, "no volume cells" }, { "f.mesh", "MeshVersionFormatted 2\n", "no points" },
-    { "g.stl", "solid", ".vtu, .vtk and .mesh" } };
+    { "g.stl", "solid", ".vtu, .vtk and .mesh" },
+    { "h.vtu", // VTK 9.1 alone crashes on this
+      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><FieldData>"
+      "<DataArray type = 'Float6q' Name=\"type\" NumberOfTuples=\"1\">0</DataArray></FieldData>"
+      "<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"/></UnstructuredGrid></VTKFile>",
+      "\"Float6q\"" } };
   for (const auto& c : cases)
   {
     std::string message;
