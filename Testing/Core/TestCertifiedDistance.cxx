@@ -87,8 +87,8 @@ TEST(CertifiedDistance, ShiftedCube)
 TEST(CertifiedDistance, ConcentricSpheres)
 {
   const double radius = 1.01;
-  const SurfaceMesh sphere = SphereSurface(100);
-  const HexMesh ball = BallMesh(16, radius);
+  const SurfaceMesh sphere = SphereSurface(80);
+  const HexMesh ball = BallMesh(12, radius);
   const DistanceBounds b = Measure(sphere, ball, 0.01);
   EXPECT_TRUE(b.Converged());
   EXPECT_LE(b.Upper() - b.Lower(), 0.01 * b.Lower() + 1e-9);
@@ -116,7 +116,7 @@ TEST(CertifiedDistance, TwistedPatchAgainstDenseSamples)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
-  for (int n = 0; n < 20; ++n)
+  for (int n = 0; n < 8; ++n)
   {
     HexMesh mesh = CubeMesh(2);
     for (Vec3& p : mesh.Points)
@@ -244,8 +244,8 @@ TEST(CertifiedDistance, StoppedIsNotWithin)
 
 TEST(CertifiedDistance, SameBitsForAnyNumberOfThreads)
 {
-  const SurfaceMesh sphere = SphereSurface(60);
-  const HexMesh ball = BallMesh(12, 1.01);
+  const SurfaceMesh sphere = SphereSurface(40);
+  const HexMesh ball = BallMesh(8, 1.01);
   vtkSMPTools::Initialize(1);
   const DistanceBounds one = Measure(sphere, ball, 0.01);
   vtkSMPTools::Initialize(2);
