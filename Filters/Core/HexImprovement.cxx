@@ -13,6 +13,8 @@ namespace featurehex
 namespace
 {
 constexpr int SweepsPerStage = 25;
+constexpr int PatientSweeps = 6;
+constexpr double LeastGain = 1e-3;
 constexpr int DrawSweeps = 40;
 constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
@@ -21,6 +23,22 @@ constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
 constexpr double HopelessShare = 0.97;
 constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
+
+/// True when the minimum has not risen for several sweeps: another stage may free what is stuck.
+class StallRule
+{
+public:
+  bool Stalled(double minimum)
+  {
+    this->Idle = minimum > this->Best + LeastGain ? 0 : this->Idle + 1;
+    this->Best = std::max(this->Best, minimum);
+    return this->Idle > PatientSweeps;
+  }
+
+private:
+  double Best = -2;
+  int Idle = 0;
+};
 
 /// The rounds of recipe-quality 2 with what they share.
 class Improvement
@@ -62,7 +80,7 @@ public:
     {
       if (sweep % 4 == 3)
       {
-        this->Envelope.Rebuild();
+        this->Envelope.Update(limit);
       }
       this->Envelope.Measure(limit);
       std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
@@ -103,10 +121,11 @@ public:
   /// Per-vertex steepest ascent of the minimum (mm).
   void RaiseMinima(double target, double band)
   {
+    StallRule stall;
     for (int sweep = 0; sweep < SweepsPerStage && this->Progress.Update(this->Fraction); ++sweep)
     {
       const double minimum = this->Minimum();
-      if (minimum >= target)
+      if (minimum >= target || stall.Stalled(minimum))
       {
         return;
       }
@@ -123,10 +142,11 @@ public:
   /// Moving barrier, vertex by vertex (bar).
   void PushBarrier(double target, double gap)
   {
+    StallRule stall;
     for (int sweep = 0; sweep < SweepsPerStage && this->Progress.Update(this->Fraction); ++sweep)
     {
       const double minimum = this->Minimum();
-      if (minimum >= target)
+      if (minimum >= target || stall.Stalled(minimum))
       {
         return;
       }

@@ -12,8 +12,8 @@ namespace
 constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
 constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
-constexpr int MaximumProofs = 4;
-constexpr int RoundsAfterProof = 3; // of improvement: most was done before the proof
+constexpr int MaximumProofs = 6;
+constexpr int RoundsAfterProof = 1; // of improvement: most was done before the proof
 constexpr double ShareStep = 0.01; // tightening of the sampled limit after a failed proof
 constexpr double FittingShare = 0.4; // of the progress
 

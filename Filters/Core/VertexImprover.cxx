@@ -18,6 +18,7 @@ constexpr double NearLimit = 0.6;       // share of the limit from which contact
 constexpr double BarrierPull = 10.0;     // weight and start (share of the limit) of the envelope term
 constexpr double BarrierPullStart = 0.8; // ... beside the barrier
 constexpr double DrawPullStart = 0.9;
+constexpr double DrawNearLimit = 0.85;
 constexpr double AveragePull = 1000.0; // of the surface term of RaiseAverage, per corner
 constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
 
@@ -577,7 +578,7 @@ bool VertexImprover::DrawInside(Index vertex, double weight)
 {
   static thread_local Star star;
   this->Gather(vertex, star);
-  this->GatherPulls(vertex, NearLimit * this->EnvelopeLimit, star);
+  this->GatherPulls(vertex, DrawNearLimit * this->EnvelopeLimit, star);
   const auto pullEnergy = [this, weight](double distance) {
     const double excess = distance / this->EnvelopeLimit - DrawPullStart;
     return excess > 0 ? weight * excess * excess : 0.0;
