@@ -205,29 +205,44 @@ TEST(HexUntangling, StopsWhenAsked)
   }
 }
 
-TEST(HexUntangling, TangledMeshesOfTheSharedData)
+namespace
 {
-  struct Expected
-  {
-    const char* Name;
-    Index Regularized, Stitching; // hexes left inverted, at most
-  };
-  // The 44 and the 1 are inverted at corners that lie wholly on the fixed boundary.
-  constexpr Expected table[] = { { "CAD4Per", 0, 160 }, { "bunnyPer", 44, 44 },
-    { "impellerPer", 0, 0 }, { "mid2FemPer", 1, 1 }, { "mount2Per", 0, 0 } };
-  for (const Expected& expected : table)
-  {
-    HexMesh mesh;
-    if (!ReadTangledMesh(SharedFolder() + "/data/tangled/" + expected.Name + ".vtk", mesh))
-    {
-      GTEST_SKIP() << "no tangled meshes in " << SharedFolder() << " (set FEATUREHEX_SHARED)";
-    }
-    HexMesh other = mesh;
-    EXPECT_LE(Untangle(mesh, UntangleMethod::Regularized, nullptr, 60).InvertedAfter,
-      expected.Regularized)
-      << expected.Name;
-    EXPECT_LE(
-      Untangle(other, UntangleMethod::Stitching, nullptr, 60).InvertedAfter, expected.Stitching)
-      << expected.Name;
-  }
+struct SharedTangle
+{
+  const char* Name;
+  Index Regularized, Stitching; // hexes left inverted, at most
+};
+
+// In the list of tests.
+void PrintTo(const SharedTangle& tangle, std::ostream* stream)
+{
+  *stream << tangle.Name;
 }
+
+// A test for each mesh: under AddressSanitizer each takes up to a minute.
+class SharedTangles : public testing::TestWithParam<SharedTangle>
+{
+};
+}
+
+TEST_P(SharedTangles, AreUntangled)
+{
+  const SharedTangle& expected = GetParam();
+  HexMesh mesh;
+  if (!ReadTangledMesh(SharedFolder() + "/data/tangled/" + expected.Name + ".vtk", mesh))
+  {
+    GTEST_SKIP() << "no tangled meshes in " << SharedFolder() << " (set FEATUREHEX_SHARED)";
+  }
+  HexMesh other = mesh;
+  EXPECT_LE(
+    Untangle(mesh, UntangleMethod::Regularized, nullptr, 60).InvertedAfter, expected.Regularized);
+  EXPECT_LE(
+    Untangle(other, UntangleMethod::Stitching, nullptr, 60).InvertedAfter, expected.Stitching);
+}
+
+// The 44 and the 1 are inverted at corners that lie wholly on the fixed boundary.
+INSTANTIATE_TEST_SUITE_P(HexUntangling, SharedTangles,
+  testing::Values(SharedTangle{ "CAD4Per", 0, 160 }, SharedTangle{ "bunnyPer", 44, 44 },
+    SharedTangle{ "impellerPer", 0, 0 }, SharedTangle{ "mid2FemPer", 1, 1 },
+    SharedTangle{ "mount2Per", 0, 0 }),
+  [](const testing::TestParamInfo<SharedTangle>& info) { return std::string(info.param.Name); });

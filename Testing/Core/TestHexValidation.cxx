@@ -44,7 +44,7 @@ std::uint32_t DefectsOf(const HexValidationReport& r, Index hex)
 TEST(HexValidation, GoodMeshKeepsEveryPromise)
 {
   const HexMesh ball = BallMesh(10);
-  const SurfaceMesh sphere = SphereSurface(60);
+  const SurfaceMesh sphere = SphereSurface(40);
   const HexValidationReport r = Validate(ball, &sphere, 0.01);
   EXPECT_TRUE(r.Result.Ok()) << r.Result.Message;
   EXPECT_TRUE(r.Valid());
