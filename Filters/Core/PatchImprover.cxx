@@ -88,16 +88,6 @@ void MakePositive(Matrix9& matrix)
     matrix = solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
   }
 }
-
-double CornerScaledJacobian(const HexMesh& mesh, const Hex& hex, int corner)
-{
-  const Vec3& p = mesh.Points[hex[corner]];
-  const Vec3 a = mesh.Points[hex[HexCornerNeighbors[corner][0]]] - p;
-  const Vec3 b = mesh.Points[hex[HexCornerNeighbors[corner][1]]] - p;
-  const Vec3 c = mesh.Points[hex[HexCornerNeighbors[corner][2]]] - p;
-  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
-  return lengths > 0 ? a.dot(b.cross(c)) / lengths : -1.0;
-}
 }
 
 struct PatchImprover::Patch

@@ -15,8 +15,6 @@ namespace
 constexpr double LeastEdgeRatio = 0.2;
 constexpr double LongestStep = 0.3;      // of the mean or shortest edge
 constexpr double NearLimit = 0.6;       // share of the limit from which contacts are felt
-constexpr double BarrierPull = 10.0;     // weight and start (share of the limit) of the envelope term
-constexpr double BarrierPullStart = 0.8; // ... beside the barrier
 constexpr double DrawPullStart = 0.9;
 constexpr double DrawNearLimit = 0.85;
 constexpr double AveragePull = 1000.0; // of the surface term of RaiseAverage, per corner
@@ -34,18 +32,22 @@ Vec3 ModifiedNewtonStep(const Mat3& hessian, const Vec3& gradient)
 }
 }
 
+double CornerScaledJacobian(const HexMesh& mesh, const Hex& hex, int corner)
+{
+  const Vec3& p = mesh.Points[hex[corner]];
+  const Vec3 a = mesh.Points[hex[HexCornerNeighbors[corner][0]]] - p;
+  const Vec3 b = mesh.Points[hex[HexCornerNeighbors[corner][1]]] - p;
+  const Vec3 c = mesh.Points[hex[HexCornerNeighbors[corner][2]]] - p;
+  const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
+  return lengths > 0 ? a.dot(b.cross(c)) / lengths : -1.0;
+}
+
 double LeastScaledJacobian(const HexMesh& mesh, Index hex)
 {
-  const Hex& h = mesh.Hexes[hex];
   double least = 2;
   for (int corner = 0; corner < 8; ++corner)
   {
-    const Vec3& p = mesh.Points[h[corner]];
-    const Vec3 a = mesh.Points[h[HexCornerNeighbors[corner][0]]] - p;
-    const Vec3 b = mesh.Points[h[HexCornerNeighbors[corner][1]]] - p;
-    const Vec3 c = mesh.Points[h[HexCornerNeighbors[corner][2]]] - p;
-    const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
-    least = std::min(least, lengths > 0 ? a.dot(b.cross(c)) / lengths : -1.0);
+    least = std::min(least, CornerScaledJacobian(mesh, mesh.Hexes[hex], corner));
   }
   return least;
 }
@@ -267,6 +269,22 @@ struct VertexImprover::Star
   std::vector<EnvelopeContact> Contacts;
   double Limit = 0; ///< the envelope's, or the distance now where that is beyond
 };
+
+/// How contacts pull: weight, and the share of the limit from which they do.
+struct VertexImprover::PullLaw
+{
+  double Weight, Start;
+};
+
+/// Energy of a vertex with its derivatives at the start of a move.
+struct VertexImprover::Model
+{
+  double Energy = 0;
+  Vec3 Gradient = Vec3::Zero();
+  Mat3 Hessian = Mat3::Zero();
+};
+
+const VertexImprover::PullLaw VertexImprover::BarrierPull = { 10.0, 0.8 };
 
 VertexImprover::VertexImprover(
   HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit)
@@ -503,6 +521,62 @@ bool VertexImprover::RaiseMinimum(Index vertex)
   });
 }
 
+VertexImprover::Model VertexImprover::DistortionModel(const Star& star)
+{
+  Model model;
+  for (const Corner& corner : star.Corners)
+  {
+    Vec3 g;
+    Mat3 h;
+    corner.DistortionDerivatives(star.Position, g, h);
+    model.Energy += corner.Distortion(star.Position);
+    model.Gradient += g;
+    model.Hessian += h;
+  }
+  return model;
+}
+
+/// weight * excess^2 for each contact, excess = distance / limit - start where positive.
+void VertexImprover::AddPulls(const Star& star, const PullLaw& law, Model& model) const
+{
+  for (const Pull& pull : star.Pulls)
+  {
+    const double excess = pull.Distance / this->EnvelopeLimit - law.Start;
+    if (excess > 0)
+    {
+      const Vec3 g = pull.Gradient / this->EnvelopeLimit;
+      model.Energy += law.Weight * excess * excess;
+      model.Gradient += 2 * law.Weight * excess * g;
+      model.Hessian += 2 * law.Weight * g * g.transpose();
+    }
+  }
+}
+
+/// @a energy with that of the contacts at @a x.
+double VertexImprover::WithPulls(
+  double energy, const Star& star, const PullLaw& law, const Vec3& x) const
+{
+  for (const Pull& pull : star.Pulls)
+  {
+    const double distance = pull.Distance + pull.Gradient.dot(x - star.Position);
+    const double excess = distance / this->EnvelopeLimit - law.Start;
+    energy += excess > 0 ? law.Weight * excess * excess : 0.0;
+  }
+  return energy;
+}
+
+/// Newton step of the model, limited by the shortest edge; zero when shorter than @a least mean edge lengths.
+Vec3 VertexImprover::StepOf(const Model& model, const Star& star, double least)
+{
+  const Vec3 step = ModifiedNewtonStep(model.Hessian, model.Gradient);
+  const double length = step.norm();
+  if (!(length >= least * star.Length))
+  {
+    return Vec3::Zero();
+  }
+  return step * std::min(1.0, LongestStep * star.Shortest / length);
+}
+
 bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& parameters)
 {
   static thread_local Star star;
@@ -516,45 +590,23 @@ bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& paramete
   const auto floor = [&](const Corner& corner) {
     return std::min(parameters.Floor, corner.Value - parameters.Gap);
   };
-  const auto pullEnergy = [this](double distance) {
-    const double excess = distance / this->EnvelopeLimit - BarrierPullStart;
-    return excess > 0 ? BarrierPull * excess * excess : 0.0;
-  };
-  double energy = 0;
-  Vec3 gradient = Vec3::Zero();
-  Mat3 hessian = Mat3::Zero();
+  Model model;
   for (const Corner& corner : star.Corners)
   {
     const BarrierValue phi = Barrier(corner.Value, floor(corner), parameters.Theta);
-    energy += phi.Value;
+    model.Energy += phi.Value;
     if (phi.First != 0 || phi.Second != 0)
     {
       Vec3 g;
       Mat3 h;
       corner.Derivatives(star.Position, g, h);
-      gradient += phi.First * g;
-      hessian += phi.Second * g * g.transpose() + phi.First * h;
+      model.Gradient += phi.First * g;
+      model.Hessian += phi.Second * g * g.transpose() + phi.First * h;
     }
   }
-  for (const Pull& pull : star.Pulls)
-  {
-    const double excess = pull.Distance / this->EnvelopeLimit - BarrierPullStart;
-    if (excess > 0)
-    {
-      const Vec3 g = pull.Gradient / this->EnvelopeLimit;
-      energy += pullEnergy(pull.Distance);
-      gradient += 2 * BarrierPull * excess * g;
-      hessian += 2 * BarrierPull * g * g.transpose();
-    }
-  }
-  Vec3 step = ModifiedNewtonStep(hessian, gradient);
-  const double length = step.norm();
-  if (!(length >= 1e-9 * star.Length))
-  {
-    return false;
-  }
-  step *= std::min(1.0, LongestStep * star.Shortest / length);
-  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+  this->AddPulls(star, BarrierPull, model);
+  const Vec3 step = StepOf(model, star, 1e-9);
+  return !step.isZero(0) && this->Search(vertex, star, step, 8, [&](const Vec3& x) {
     double sum = 0;
     for (const Corner& corner : star.Corners)
     {
@@ -566,11 +618,8 @@ bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& paramete
       }
       sum += Barrier(s, lowest, parameters.Theta).Value;
     }
-    for (const Pull& pull : star.Pulls)
-    {
-      sum += pullEnergy(pull.Distance + pull.Gradient.dot(x - star.Position));
-    }
-    return sum < energy - 1e-12 * std::abs(energy);
+    return this->WithPulls(sum, star, BarrierPull, x) <
+      model.Energy - 1e-12 * std::abs(model.Energy);
   });
 }
 
@@ -579,51 +628,17 @@ bool VertexImprover::DrawInside(Index vertex, double weight)
   static thread_local Star star;
   this->Gather(vertex, star);
   this->GatherPulls(vertex, DrawNearLimit * this->EnvelopeLimit, star);
-  const auto pullEnergy = [this, weight](double distance) {
-    const double excess = distance / this->EnvelopeLimit - DrawPullStart;
-    return excess > 0 ? weight * excess * excess : 0.0;
-  };
-  double energy = 0;
-  Vec3 gradient = Vec3::Zero();
-  Mat3 hessian = Mat3::Zero();
-  for (const Corner& corner : star.Corners)
-  {
-    Vec3 g;
-    Mat3 h;
-    corner.DistortionDerivatives(star.Position, g, h);
-    energy += corner.Distortion(star.Position);
-    gradient += g;
-    hessian += h;
-  }
-  for (const Pull& pull : star.Pulls)
-  {
-    const double excess = pull.Distance / this->EnvelopeLimit - DrawPullStart;
-    if (excess > 0)
-    {
-      const Vec3 g = pull.Gradient / this->EnvelopeLimit;
-      energy += pullEnergy(pull.Distance);
-      gradient += 2 * weight * excess * g;
-      hessian += 2 * weight * g * g.transpose();
-    }
-  }
-  Vec3 step = ModifiedNewtonStep(hessian, gradient);
-  const double length = step.norm();
-  if (!(length >= 1e-9 * star.Length))
-  {
-    return false;
-  }
-  step *= std::min(1.0, LongestStep * star.Shortest / length);
-  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+  const PullLaw law = { weight, DrawPullStart };
+  Model model = DistortionModel(star);
+  this->AddPulls(star, law, model);
+  const Vec3 step = StepOf(model, star, 1e-9);
+  return !step.isZero(0) && this->Search(vertex, star, step, 8, [&](const Vec3& x) {
     double sum = 0;
     for (const Corner& corner : star.Corners)
     {
       sum += corner.Distortion(x);
     }
-    for (const Pull& pull : star.Pulls)
-    {
-      sum += pullEnergy(pull.Distance + pull.Gradient.dot(x - star.Position));
-    }
-    return sum < energy - 1e-12 * energy;
+    return this->WithPulls(sum, star, law, x) < model.Energy - 1e-12 * model.Energy;
   });
 }
 
@@ -631,52 +646,29 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
 {
   static thread_local Star star;
   this->Gather(vertex, star);
-  if (this->Stars.OnBoundary(vertex))
-  {
-    star.Limit = std::max(star.Limit, this->Envelope.BoundAround(vertex) < 1e300
-        ? this->Envelope.BoundAround(vertex)
-        : 0.0);
-  }
-  double energy = 0;
-  Vec3 gradient = Vec3::Zero();
-  Mat3 hessian = Mat3::Zero();
-  for (const Corner& corner : star.Corners)
-  {
-    Vec3 g;
-    Mat3 h;
-    corner.DistortionDerivatives(star.Position, g, h);
-    energy += corner.Distortion(star.Position);
-    gradient += g;
-    hessian += h;
-  }
+  Model model = DistortionModel(star);
   double weight = 0;
   TrianglePoint anchor;
   Vec3 normal = Vec3::Zero();
   if (this->Stars.OnBoundary(vertex))
   {
+    // Beyond the limit already: it may stay there, if the distance is known.
+    const double bound = this->Envelope.BoundAround(vertex);
+    star.Limit = std::max(star.Limit, bound < 1e300 ? bound : 0.0);
     anchor = surface.Search().Closest(star.Position);
     normal = surface.Search().Normal(anchor.Triangle);
     weight = AveragePull * star.Corners.size() / (star.Length * star.Length);
+    model.Gradient += 2 * weight * normal.dot(star.Position - anchor.Point) * normal;
+    model.Hessian += 2 * weight * normal * normal.transpose();
   }
   const auto surfaceEnergy = [&](const Vec3& x) {
     const double offset = weight > 0 ? normal.dot(x - anchor.Point) : 0.0;
     return weight * offset * offset;
   };
-  energy += surfaceEnergy(star.Position);
-  if (weight > 0)
-  {
-    gradient += 2 * weight * normal.dot(star.Position - anchor.Point) * normal;
-    hessian += 2 * weight * normal * normal.transpose();
-  }
-  Vec3 step = ModifiedNewtonStep(hessian, gradient);
-  const double length = step.norm();
-  if (!(length >= 1e-4 * star.Length))
-  {
-    return false;
-  }
-  step *= std::min(1.0, LongestStep * star.Shortest / length);
+  model.Energy += surfaceEnergy(star.Position);
   const double lowest = std::min(star.Least, floor) - 1e-12;
-  return this->Search(vertex, star, step, 8, [&](const Vec3& x) {
+  const Vec3 step = StepOf(model, star, 1e-4);
+  return !step.isZero(0) && this->Search(vertex, star, step, 8, [&](const Vec3& x) {
     double sum = surfaceEnergy(x);
     for (const Corner& corner : star.Corners)
     {
@@ -686,7 +678,7 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
       }
       sum += corner.Distortion(x);
     }
-    return sum < energy - 1e-12 * energy;
+    return sum < model.Energy - 1e-12 * model.Energy;
   });
 }
 

@@ -10,6 +10,9 @@
 
 namespace featurehex
 {
+/// Determinant of the unit edge vectors at a corner; -1 when an edge has no length.
+double CornerScaledJacobian(const HexMesh& mesh, const Hex& hex, int corner);
+
 /// Least corner scaled Jacobian of a hex; -1 when an edge has no length.
 double LeastScaledJacobian(const HexMesh& mesh, Index hex);
 
@@ -59,7 +62,14 @@ private:
   struct Corner;
   struct Pull;
   struct Star;
+  struct PullLaw;
+  struct Model;
+  static const PullLaw BarrierPull;
 
+  static Model DistortionModel(const Star& star);
+  static Vec3 StepOf(const Model& model, const Star& star, double least);
+  void AddPulls(const Star& star, const PullLaw& law, Model& model) const;
+  double WithPulls(double energy, const Star& star, const PullLaw& law, const Vec3& x) const;
   void Gather(Index vertex, Star& star) const;
   void GatherPulls(Index vertex, double threshold, Star& star);
   template <typename Accept>
