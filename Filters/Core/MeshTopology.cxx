@@ -2,6 +2,7 @@
 
 #include "MeshTopology.h"
 
+#include "DisjointSets.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -15,37 +16,6 @@ namespace
 {
 /// Coincidence of points, fraction of the bounding box diagonal.
 constexpr double Coincidence = 1e-12;
-
-/// Disjoint sets; the root of a set is its lowest member.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-
-  Index Find(Index i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
-
-  void Join(Index i, Index j)
-  {
-    i = this->Find(i);
-    j = this->Find(j);
-    this->Parent[std::max(i, j)] = std::min(i, j);
-  }
-
-private:
-  std::vector<Index> Parent;
-};
 
 /// Values sorted into buckets by a key in [0, keys): a counting sort.
 struct Buckets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShellTopology.h"
 
+#include "DisjointSets.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -15,34 +16,6 @@ namespace
 {
 /// Points of a mesh shell that vote for the surface shell it belongs to.
 constexpr std::size_t MaximumVotes = 500;
-
-class UnionFind
-{
-public:
-  explicit UnionFind(std::size_t count)
-    : Parent(count)
-  {
-    std::iota(this->Parent.begin(), this->Parent.end(), 0);
-  }
-  Index Find(Index i)
-  {
-    while (this->Parent[i] != i)
-    {
-      this->Parent[i] = this->Parent[this->Parent[i]];
-      i = this->Parent[i];
-    }
-    return i;
-  }
-  void Join(Index a, Index b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parent[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<Index> Parent;
-};
 
 /// Six times the signed volume between a face and @a apex; quads as four triangles round their
 /// middle, which is what a bilinear patch encloses.
@@ -67,7 +40,7 @@ template <typename Face>
 Shells FindShellsOf(const std::vector<Vec3>& points, const std::vector<Face>& faces)
 {
   Shells shells;
-  UnionFind sets(points.size());
+  DisjointSets sets(points.size());
   std::vector<std::uint64_t> edges;
   edges.reserve(faces.size() * 2);
   for (const Face& face : faces)
