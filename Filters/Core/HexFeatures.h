@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where the features of a surface are in a hex mesh.
+
+#ifndef featurehex_HexFeatures_h
+#define featurehex_HexFeatures_h
+
+#include "Types.h"
+
+namespace featurehex
+{
+/// Corners are vertices, curves chains of boundary edges, patches sets of boundary quads. Ids are those of
+/// SurfaceFeatures; what is not enforced has no image.
+struct HexFeatures
+{
+  std::vector<Index> CornerVertices;          ///< of each corner; -1: none
+  std::vector<std::vector<Index>> CurvePaths; ///< of each curve; a loop repeats its first vertex; empty: none
+  std::vector<int> PatchOfQuad;               ///< of each boundary quad, in the order of HexStars::Quads
+};
+} // namespace featurehex
+
+#endif
