@@ -31,6 +31,7 @@ constexpr const char* OriginalCellId = "OriginalCellId"; ///< id of the cell in 
 
 // Cells of surfaces and boundaries.
 constexpr const char* PatchId = "PatchId";     ///< 0...; -1 none
+constexpr const char* ComponentId = "ComponentId"; ///< connected piece of a surface, 0...
 constexpr const char* Deviation = "Deviation"; ///< distance to the input, model units
 
 // Cells of feature graphs.

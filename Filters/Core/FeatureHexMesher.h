@@ -5,6 +5,8 @@
 #ifndef featurehex_FeatureHexMesher_h
 #define featurehex_FeatureHexMesher_h
 
+#include "FeatureDetection.h"
+#include "HexFeatures.h"
 #include "HexImprovement.h"
 #include "HexValidation.h"
 #include "Monitor.h"
@@ -14,8 +16,26 @@
 
 namespace featurehex
 {
+/// Where the sharp features come from.
+enum class FeatureMode
+{
+  None,
+  Angle, ///< edges found by their dihedral angle
+  Given  ///< the edges and corners of FeatureInput
+};
+
+struct FeatureInput
+{
+  FeatureMode Mode = FeatureMode::None;
+  std::vector<PointPair> Edges;  ///< Given: point ids of the input surface
+  std::vector<Index> Corners;    ///< Given: further corners; where curves meet or kink there is one anyway
+  FeatureDetectionOptions Detection; ///< Angle
+  bool EnforceAll = false; ///< also corners with many or acute curves
+};
+
 struct MeshingOptions
 {
+  FeatureInput Features;
   /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the bounding box.
   double Tolerance = 0.005;
   /// Cell size at the surface, model units; 0: longest side of the bounding box / 26.
@@ -50,6 +70,8 @@ struct MeshingResult
 {
   HexMesh Mesh;
   std::vector<int> Region; ///< per hex, 1 and up: which body
+  SurfaceFeatures SurfaceGraph; ///< features of the checked surface
+  HexFeatures Features;         ///< of the mesh; empty without features
   std::vector<int> Level;  ///< per hex: octree level relative to the target edge length
   double TargetEdgeLength = 0.0;
   SurfaceCheckReport Check;

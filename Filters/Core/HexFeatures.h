@@ -5,7 +5,7 @@
 #ifndef featurehex_HexFeatures_h
 #define featurehex_HexFeatures_h
 
-#include "Types.h"
+#include "HexStars.h"
 
 namespace featurehex
 {
@@ -16,6 +16,27 @@ struct HexFeatures
   std::vector<Index> CornerVertices;          ///< of each corner; -1: none
   std::vector<std::vector<Index>> CurvePaths; ///< of each curve; a loop repeats its first vertex; empty: none
   std::vector<int> PatchOfQuad;               ///< of each boundary quad, in the order of HexStars::Quads
+
+  bool Empty() const { return this->PatchOfQuad.empty(); }
+};
+
+/// Values of the array FeatureKind.
+enum class FeatureKind : std::uint8_t
+{
+  Interior,
+  Surface,
+  Curve,
+  Corner
+};
+
+/// For each vertex of a mesh the feature it belongs to.
+struct FeatureLabels
+{
+  std::vector<FeatureKind> Kind;
+  std::vector<Index> Id; ///< patch, curve or corner; -1: interior
+
+  FeatureLabels() = default;
+  FeatureLabels(const HexFeatures& features, const HexStars& stars);
 };
 } // namespace featurehex
 

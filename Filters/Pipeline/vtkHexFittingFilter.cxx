@@ -119,7 +119,7 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.FittingIterations = this->FittingIterations;
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
-  status = ProvenFitting(surface, options).Run(mesh, stars, report, monitor);
+  status = ProvenFitting(surface, options).Run(mesh, stars, nullptr, report, monitor);
   if (!status.Ok())
   {
     return status;
