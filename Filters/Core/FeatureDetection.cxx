@@ -573,10 +573,8 @@ std::vector<PointPair> FindSharpEdges(const SurfaceMesh& surface,
 void CleanFeatureEdges(const SurfaceMesh& surface, const FeatureDetectionOptions& options,
   std::vector<PointPair>& edges, FeatureDetectionReport& report)
 {
-  report = FeatureDetectionReport();
   EdgeChoice choice(surface, MeasureEdges(surface), report);
   choice.Choose(edges);
-  report.NumberOfSharpEdges = static_cast<Index>(choice.Result().size());
   choice.CloseGaps(options.MaximumGap, 0.0);
   choice.DropSpurs(options.MinimumLength);
   edges = choice.Result();

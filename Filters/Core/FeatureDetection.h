@@ -28,7 +28,7 @@ struct FeatureDetectionOptions
 /// What happened to the edges.
 struct FeatureDetectionReport
 {
-  Index NumberOfSharpEdges = 0;     ///< by FeatureAngle alone, or given
+  Index NumberOfSharpEdges = 0;     ///< by FeatureAngle alone
   Index NumberOfContinuedEdges = 0; ///< by Hysteresis
   Index NumberOfGaps = 0;           ///< closed
   Index NumberOfGapEdges = 0;
@@ -52,7 +52,7 @@ std::vector<PointPair> FindSharpEdges(const SurfaceMesh& surface,
 
 /// Closes gaps, then drops short chains with a loose end: those that end at a junction and those on
 /// their own. One edge or two on their own are dropped whatever their length; closed loops never.
-/// @a edges: of the surface; sorted afterwards.
+/// @a edges: of the surface; sorted afterwards. What is done is added to @a report.
 /// A gap doesn't turn by more than 45 degrees at a point, nor in all.
 void CleanFeatureEdges(const SurfaceMesh& surface, const FeatureDetectionOptions& options,
   std::vector<PointPair>& edges, FeatureDetectionReport& report);

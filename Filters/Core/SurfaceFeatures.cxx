@@ -218,7 +218,7 @@ Status Builder::CollectEdges(const std::vector<PointPair>& edges)
     }
     return Status(StatusCode::IndexOutOfRange,
       CountText(missing.size(), "feature edge is", "feature edges are") +
-        " no edges of the surface; the first, edge " + std::to_string(missing[0]) +
+        " not in the surface; the first, edge " + std::to_string(missing[0]) +
         ", goes from point " + PointText(this->Surface, first[0]) + " to point " +
         PointText(this->Surface, first[1]) +
         ". Use the features of this very surface, point ids starting at 0.",

@@ -120,8 +120,10 @@ void PolyDataFromFeatures(
 }
 
 Status AnnotationFromPointSet(
-  const SurfaceMesh& surface, vtkPointSet* input, FeatureAnnotation& annotation)
+  const SurfaceMesh& surface, vtkPointSet* input, FeatureAnnotation& annotation, Index& otherCells)
 {
+  annotation = FeatureAnnotation();
+  otherCells = 0;
   if (input->GetNumberOfCells() == 0)
   {
     return Status();
@@ -161,7 +163,7 @@ Status AnnotationFromPointSet(
     }
     else
     {
-      ++annotation.NumberOfOtherCells;
+      ++otherCells;
     }
   }
   if (unknown >= 0)
@@ -176,9 +178,10 @@ Status FeaturesFromPolyData(
 {
   FeatureAnnotation annotation;
   FeatureGraphOptions options;
+  Index otherCells = 0;
   if (graph)
   {
-    const Status status = AnnotationFromPointSet(surface, graph, annotation);
+    const Status status = AnnotationFromPointSet(surface, graph, annotation, otherCells);
     if (!status.Ok())
     {
       return status;

@@ -5,8 +5,8 @@
 #ifndef featurehex_FeatureConversion_h
 #define featurehex_FeatureConversion_h
 
+#include "FeatureExtraction.h"
 #include "Status.h"
-#include "SurfaceFeatures.h"
 
 #include <vector>
 
@@ -31,20 +31,12 @@ void PolyDataFromFeatures(
 Status FeaturesFromPolyData(
   const SurfaceMesh& surface, vtkPolyData* graph, SurfaceFeatures& features);
 
-/// What a user names: lines (polylines too) as edges, vertex cells as corners, ids of @a surface.
-struct FeatureAnnotation
-{
-  std::vector<PointPair> Edges;
-  std::vector<Index> Corners;
-  Index NumberOfOtherCells = 0; ///< neither lines nor vertices; ignored
-};
-
-/// Points are recognised by SurfacePointId where this and the coordinates agree or where all points
-/// are at one place (a graph read without its surface); else by their coordinates, which may differ
-/// by 1e-6 of the diagonal (a file in single precision).
+/// Lines and polylines as edges, vertex cells as corners, ids of @a surface:
+/// RecognizeSurfacePoints().
+/// @param otherCells number of those that are neither; ignored
 /// @return IndexOutOfRange: a point that isn't one of the surface.
 Status AnnotationFromPointSet(
-  const SurfaceMesh& surface, vtkPointSet* input, FeatureAnnotation& annotation);
+  const SurfaceMesh& surface, vtkPointSet* input, FeatureAnnotation& annotation, Index& otherCells);
 } // namespace featurehex
 
 #endif

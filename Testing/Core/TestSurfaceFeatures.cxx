@@ -357,7 +357,7 @@ TEST(SurfaceFeatures, Errors)
   EXPECT_EQ(error({ { 2, 2 } }, {}).Code, StatusCode::Degenerate);
   status = error({ { 0, 1 }, { 0, 7 }, { 1, 6 } }, {});
   EXPECT_EQ(status.Code, StatusCode::IndexOutOfRange);
-  EXPECT_NE(status.Message.find("2 feature edges are no edges"), std::string::npos)
+  EXPECT_NE(status.Message.find("2 feature edges are not in the surface"), std::string::npos)
     << status.Message;
   EXPECT_NE(status.Message.find("point 7 at (1, 1, 1)"), std::string::npos) << status.Message;
   EXPECT_EQ(status.Where.size(), 2u);
