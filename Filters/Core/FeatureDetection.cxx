@@ -100,6 +100,7 @@ public:
     , Valence(surface.Points.size(), 0)
     , First(surface.Points.size() + 1, 0)
     , Around(2 * this->Edges.size())
+    , LastPath(surface.Points.size(), 0)
   {
     for (const SurfaceEdge& edge : this->Edges)
     {
@@ -162,8 +163,8 @@ private:
   bool IsKink(Index point) const;
   bool IsAcute(Index from, Index to) const;
   bool MayArrive(const Path& path, bool loose) const;
-  Path Follow(Index before, Index start, Index firstEdge, double deviation) const;
-  std::vector<Path> Continuations(double deviation) const;
+  Path Follow(Index before, Index start, Index firstEdge, double deviation);
+  std::vector<Path> Continuations(double deviation);
   void SearchGap(
     Index before, const Vec3& direction, int depth, Path& path, Path& best, double& bestCost) const;
   Chain ChainFrom(Index end) const;
@@ -172,11 +173,13 @@ private:
   std::vector<SurfaceEdge> Edges;
   FeatureDetectionReport& Report;
   double Diagonal;
-  double GapDeviation = 0.0;  ///< of a gap edge at least
-  std::vector<char> Chosen;   ///< of each edge
-  std::vector<Index> Valence; ///< chosen edges at each point
-  std::vector<Index> First;   ///< of each point in Around
-  std::vector<Index> Around;  ///< edges at a point, ascending
+  double GapDeviation = 0.0;   ///< of a gap edge at least
+  std::vector<char> Chosen;    ///< of each edge
+  std::vector<Index> Valence;  ///< chosen edges at each point
+  std::vector<Index> First;    ///< of each point in Around
+  std::vector<Index> Around;   ///< edges at a point, ascending
+  std::vector<Index> LastPath; ///< of each point the last path that came by
+  Index NumberOfPaths = 0;
 };
 
 void EdgeChoice::Set(Index edge, bool chosen)
@@ -262,10 +265,10 @@ bool EdgeChoice::MayArrive(const Path& path, bool loose) const
 
 /// Along the sharpest edges over @a deviation that turn little, until a feature or nothing is
 /// there.
-EdgeChoice::Path EdgeChoice::Follow(
-  Index before, Index start, Index firstEdge, double deviation) const
+EdgeChoice::Path EdgeChoice::Follow(Index before, Index start, Index firstEdge, double deviation)
 {
   Path path;
+  this->LastPath[start] = ++this->NumberOfPaths;
   path.Points.push_back(start);
   Index next = firstEdge;
   for (;;)
@@ -291,10 +294,11 @@ EdgeChoice::Path EdgeChoice::Follow(
       return path;
     }
     const Index to = this->Other(next, at);
-    if (std::find(path.Points.begin(), path.Points.end(), to) != path.Points.end())
+    if (this->LastPath[to] == this->NumberOfPaths)
     {
-      return path;
+      return path; // round in a circle
     }
+    this->LastPath[to] = this->NumberOfPaths;
     path.Points.push_back(to);
     path.Edges.push_back(next);
     if (this->Valence[to] > 0)
@@ -307,7 +311,7 @@ EdgeChoice::Path EdgeChoice::Follow(
 }
 
 /// Of every loose end and every kink.
-std::vector<EdgeChoice::Path> EdgeChoice::Continuations(double deviation) const
+std::vector<EdgeChoice::Path> EdgeChoice::Continuations(double deviation)
 {
   std::vector<Path> paths;
   const auto add = [&](Path path, bool loose)

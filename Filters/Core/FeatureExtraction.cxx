@@ -4,12 +4,16 @@
 #include "SurfaceFlaws.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace featurehex
 {
 namespace
 {
+/// Beyond this LooseShare features are noise. Measured: CAD parts 0 to 0.43, scans 0.53 to 1.
+constexpr double DoubtfulShare = 0.5;
+
 std::vector<PointPair> Sorted(std::vector<PointPair> edges)
 {
   for (PointPair& edge : edges)
@@ -83,6 +87,23 @@ void DescribeFlaws(
         FirstPlace(places));
     }
   }
+}
+
+double LooseShareOf(const SurfaceMesh& surface, const SurfaceFeatures& features)
+{
+  double all = 0.0;
+  double loose = 0.0;
+  for (const FeatureCurve& curve : features.Curves)
+  {
+    double length = 0.0;
+    for (std::size_t i = 1; i < curve.Points.size(); ++i)
+    {
+      length += (surface.Points[curve.Points[i]] - surface.Points[curve.Points[i - 1]]).norm();
+    }
+    all += length;
+    loose += curve.LeftPatch == curve.RightPatch ? length : 0.0;
+  }
+  return all > 0.0 ? loose / all : 0.0;
 }
 
 /// Edges and corners that are asked for, before the graph is built.
@@ -190,6 +211,14 @@ Status ExtractFeatures(const SurfaceMesh& surface, const FeatureAnnotation* anno
   const Status status = selection.Build(features);
   DescribeCleanUp(report.Detection, report.Notes);
   DescribeFlaws(surface, features, report.Warnings);
+  report.LooseShare = LooseShareOf(surface, features);
+  if (report.LooseShare > DoubtfulShare && report.Detection.NumberOfSharpEdges > 0)
+  {
+    report.Warnings.push_back(
+      "The features are doubtful: " + std::to_string(std::lround(100.0 * report.LooseShare)) +
+      " % of their length bounds no patch. Scans and other organic shapes are best meshed without "
+      "features; where creases fade out, a larger angle hysteresis closes them.");
+  }
   return status;
 }
 } // namespace featurehex

@@ -42,8 +42,12 @@ struct FeatureExtractionReport
 {
   FeatureDetectionReport Detection;
   FeatureGraphReport Graph;
-  std::vector<std::string> Notes;    ///< a sentence for each kind of clean-up, with the first place
-  std::vector<std::string> Warnings; ///< a sentence for each kind of corner that is not enforced
+  /// Share of the length of the curves that has the same patch on both sides. CAD parts have less
+  /// than a half, scans more: what an angle finds there is noise.
+  double LooseShare = 0.0;
+  std::vector<std::string> Notes; ///< a sentence for each kind of clean-up, with the first place
+  /// A sentence for each kind of corner that is not enforced, and one for doubtful features.
+  std::vector<std::string> Warnings;
 };
 
 /// Features of a checked @a surface. @a annotation, ids of that surface: null where there is none;

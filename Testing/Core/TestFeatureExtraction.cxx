@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace featurehex;
 
 namespace
@@ -108,6 +110,55 @@ TEST(FeatureExtraction, FlawsAreWarnings)
   options.Graph.EnforceAll = true;
   ASSERT_TRUE(ExtractFeatures(flat, &all, options, features, report).Ok());
   EXPECT_TRUE(report.Warnings.empty());
+}
+
+TEST(FeatureExtraction, LooseFeaturesAreDoubtful)
+{
+  // A tent whose ridge fades out; the rims bound patches.
+  SurfaceMesh tent;
+  for (int i = 0; i < 8; ++i)
+  {
+    const double height = i < 5 ? 0.5 : 0.05;
+    tent.Points.insert(tent.Points.end(), { Vec3(i, -1, 0), Vec3(i, 0, height), Vec3(i, 1, 0) });
+  }
+  for (Index a = 0; a < 21; a += 3)
+  {
+    const Index b = a + 3;
+    tent.Triangles.insert(
+      tent.Triangles.end(), { { a, b, b + 1 }, { a, b + 1, a + 1 }, { a + 1, b + 1, b + 2 },
+                              { a + 1, b + 2, a + 2 }, { a, a + 2, b + 2 }, { a, b + 2, b } });
+  }
+  tent.Triangles.push_back({ 0, 1, 2 });
+  tent.Triangles.push_back({ 21, 23, 22 });
+  FeatureExtractionOptions options;
+  SurfaceFeatures features;
+  FeatureExtractionReport report;
+  ASSERT_TRUE(ExtractFeatures(tent, nullptr, options, features, report).Ok());
+  EXPECT_GT(report.LooseShare, 0.1);
+  EXPECT_LT(report.LooseShare, 0.4);
+  const auto doubtful = [&]
+  {
+    return std::any_of(report.Warnings.begin(), report.Warnings.end(),
+      [](const std::string& text) { return text.find("doubtful") != std::string::npos; });
+  };
+  EXPECT_FALSE(doubtful());
+  // The ridge alone, found and not given: all else is taken away.
+  FeatureAnnotation rims = { { { 0, 1 }, { 1, 2 }, { 0, 2 }, { 21, 22 }, { 22, 23 }, { 21, 23 } },
+    {} };
+  for (Index a = 0; a < 21; a += 3)
+  {
+    rims.Edges.push_back({ a, a + 3 });
+    rims.Edges.push_back({ a + 2, a + 5 });
+  }
+  options.Mode = AnnotationMode::Remove;
+  ASSERT_TRUE(ExtractFeatures(tent, &rims, options, features, report).Ok());
+  EXPECT_GT(report.LooseShare, 0.5);
+  EXPECT_TRUE(doubtful());
+  options.Mode = AnnotationMode::Replace;
+  const FeatureAnnotation ridge = { { { 1, 4 }, { 4, 7 }, { 7, 10 } }, {} };
+  ASSERT_TRUE(ExtractFeatures(tent, &ridge, options, features, report).Ok());
+  EXPECT_EQ(report.LooseShare, 1.0);
+  EXPECT_FALSE(doubtful()); // somebody wants it
 }
 
 TEST(FeatureExtraction, ErrorsOfTheAnnotation)
