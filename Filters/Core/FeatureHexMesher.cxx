@@ -503,6 +503,10 @@ Mesher::Outcome Mesher::Validate(Status& status)
   this->BeginPhase("validating", 0.9, 1.0);
   HexValidationOptions validation;
   validation.Tolerance = this->Options.Tolerance;
+  if (this->Geometry)
+  {
+    validation.Features = { &this->Result.SurfaceGraph, &this->Features };
+  }
   HexValidationReport& report = this->Result.Validation;
   // What is judged is what the user gets: the points moved back, rounding included.
   const HexMesh mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
