@@ -18,6 +18,7 @@ constexpr double SpokePrice = 1.0;    // edge lengths per dart away from the pre
 constexpr double ReservedPrice = 1.5; // edge lengths
 constexpr double OwnedPrice = 4.0;    // edge lengths: a vertex of another path in a relaxed search
 constexpr int LegsOfLoop = 3;
+constexpr double WideReach = 2.4; // of the usual reach, when it is not enough
 
 /// Price of a turn with so many quads on one side, in edge lengths. One quad there would have a straight angle.
 double SidePrice(int quads)
@@ -53,6 +54,7 @@ CurveRouter::CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph
   , Geometry(geometry)
   , CornerVertices(cornerVertices)
   , Reach(reach)
+  , CurrentReach(reach)
   , Sizes(points.size(), 0.0)
   , Owner(points.size(), -1)
   , ReservedBy(points.size(), -1)
@@ -238,7 +240,7 @@ bool CurveRouter::RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& dar
     const double size = this->Sizes[head];
     const CurvePoint closest = curve.Closest(this->Points[head], leg.From, leg.To);
     const double length = (this->Points[head] - this->Points[this->Graph.Tail(dart)]).norm();
-    if ((!arrives && closest.Distance > this->Reach * size) ||
+    if ((!arrives && closest.Distance > this->CurrentReach * size) ||
       std::abs(closest.Arc - tailArc) > ArcSlack * length + 0.5 * size)
     {
       return;
@@ -333,8 +335,16 @@ Index CurveRouter::FreeVertexNear(const Vec3& p) const
   return best;
 }
 
+/// Along a thin wedge the interface ends far from the edge: looks farther when nothing is near.
 bool CurveRouter::Route(Index c, bool relaxed, std::vector<Index>& path)
 {
+  return this->RouteWithin(this->Reach, c, relaxed, path) ||
+    this->RouteWithin(WideReach * this->Reach, c, relaxed, path);
+}
+
+bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<Index>& path)
+{
+  this->CurrentReach = reach;
   const EnforcedCurve& curve = this->Geometry.Curves()[c];
   path.clear();
   const bool loop = curve.Closed;

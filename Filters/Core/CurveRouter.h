@@ -42,6 +42,7 @@ private:
   struct Leg;
 
   bool Route(Index curve, bool relaxed, std::vector<Index>& path);
+  bool RouteWithin(double reach, Index curve, bool relaxed, std::vector<Index>& path);
   bool RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& darts);
   void SmoothJunction(Index curve, double arc, std::vector<Index>& path, bool relaxed, bool loop);
   Index FreeVertexNear(const Vec3& p) const;
@@ -57,6 +58,7 @@ private:
   const FeatureGeometry& Geometry;
   const std::vector<Index>& CornerVertices;
   double Reach;
+  double CurrentReach;
   std::vector<double> Sizes;
   std::vector<Index> Owner;      ///< of each vertex: curve, -1 free, -2 a corner
   std::vector<Index> ReservedBy; ///< curve that would like to leave its corner through the vertex, -1

@@ -26,6 +26,13 @@ GridCell CellAt(const Vec3& p, double size)
     static_cast<std::int64_t>(std::floor(p[2] / size)) };
 }
 
+/// Halvings of @a h that make cells of at most @a size.
+int LevelOf(double size, double h, int maximum)
+{
+  return size > 0 ? std::clamp(static_cast<int>(std::ceil(std::log2(h / size) - 1e-9)), 0, maximum)
+                  : maximum;
+}
+
 bool Meet(const EnforcedCurve& a, const EnforcedCurve& b)
 {
   for (Index corner : { a.FirstCorner, a.LastCorner })
@@ -68,8 +75,8 @@ std::vector<RefinementPoint> ComputeFeatureSizing(
   for (const CurveSample& sample : samples)
   {
     const EnforcedCurve& curve = curves[sample.Curve];
-    double size = std::min(
-      h, curve.Length() / (curve.Closed ? options.CellsPerLoop : options.CellsPerCurve));
+    const double perLoop = curve.Closed ? curve.Length() / options.CellsPerLoop : h;
+    const double perCurve = curve.Closed ? h : curve.Length() / options.CellsPerCurve;
     const GridCell cell = CellAt(sample.Position, reach);
     double nearest = reach;
     for (int i = 0; i < 27; ++i)
@@ -86,12 +93,12 @@ std::vector<RefinementPoint> ComputeFeatureSizing(
         }
       }
     }
-    size = std::min(size, nearest / options.CellsBetween);
-    const int level =
-      size > 0 ? static_cast<int>(std::ceil(std::log2(h / size) - 1e-9)) : options.MaximumLevel;
+    const int level = std::max(LevelOf(perLoop, h, options.MaximumLevel),
+      LevelOf(std::min(perCurve, nearest / options.CellsBetween), h,
+        std::min(options.MaximumSizingLevel, options.MaximumLevel)));
     if (level > 0)
     {
-      points.push_back({ sample.Position, std::min(level, options.MaximumLevel) });
+      points.push_back({ sample.Position, level });
     }
   }
   return points;

@@ -13,6 +13,7 @@ namespace featurehex
 {
 namespace
 {
+constexpr double WideReach = 2.5; // of the usual reach, when there is nothing within it
 constexpr double PlaceSpacing = 1.0; // of refinement points along a curve, local edge lengths
 
 std::string At(const Vec3& p)
@@ -115,9 +116,16 @@ void Mapper::PlaceCorners()
   std::vector<Candidate> candidates;
   for (std::size_t c = 0; c < count; ++c)
   {
-    if (this->Geometry.Enforced(static_cast<Index>(c)))
+    const Index corner = static_cast<Index>(c);
+    if (this->Geometry.Enforced(corner))
     {
-      this->AddCandidates(static_cast<Index>(c), this->Options.CornerReach, candidates);
+      // At the end of a thin wedge the interface may be far.
+      const std::size_t before = candidates.size();
+      this->AddCandidates(corner, this->Options.CornerReach, candidates);
+      if (candidates.size() == before)
+      {
+        this->AddCandidates(corner, WideReach * this->Options.CornerReach, candidates);
+      }
     }
   }
   std::sort(candidates.begin(), candidates.end());
