@@ -242,24 +242,21 @@ Status Mesher::FindFeatures(const SurfaceMesh& checked)
     return Status();
   }
   const StageClock clock(this->Result.Timings, "features");
-  std::vector<PointPair> edges = input.Edges;
-  std::vector<Index> corners = input.Corners;
-  if (input.Mode == FeatureMode::Angle)
-  {
-    FeatureDetectionReport report;
-    edges = FindSharpEdges(checked, input.Detection, report);
-    corners.clear();
-  }
-  else if (Status status = featurehex::MapFeatures(this->Result.Check.Points, edges, corners);
-           !status.Ok())
+  FeatureAnnotation annotation = { input.Edges, input.Corners };
+  if (Status status =
+        featurehex::MapFeatures(this->Result.Check.Points, annotation.Edges, annotation.Corners);
+      !status.Ok())
   {
     return status;
   }
-  FeatureGraphOptions options;
-  options.EnforceAll = input.EnforceAll;
-  FeatureGraphReport report;
-  return BuildSurfaceFeatures(
-    checked, edges, corners, options, this->Result.SurfaceGraph, report);
+  FeatureExtractionOptions options;
+  options.Mode =
+    input.Mode == FeatureMode::Angle ? AnnotationMode::Add : AnnotationMode::Replace;
+  options.Detection = input.Detection;
+  options.Graph.EnforceAll = input.EnforceAll;
+  options.Graph.CornerAngle = input.CornerAngle;
+  return ExtractFeatures(
+    checked, &annotation, options, this->Result.SurfaceGraph, this->Result.FeatureReport);
 }
 
 /// Refinement points that follow from the surface and its features alone.

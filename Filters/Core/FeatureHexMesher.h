@@ -5,7 +5,7 @@
 #ifndef featurehex_FeatureHexMesher_h
 #define featurehex_FeatureHexMesher_h
 
-#include "FeatureDetection.h"
+#include "FeatureExtraction.h"
 #include "HexFeatures.h"
 #include "HexImprovement.h"
 #include "HexValidation.h"
@@ -20,15 +20,16 @@ namespace featurehex
 enum class FeatureMode
 {
   None,
-  Angle, ///< edges found by their dihedral angle
+  Angle, ///< edges found by their dihedral angle, and those of FeatureInput
   Given  ///< the edges and corners of FeatureInput
 };
 
 struct FeatureInput
 {
   FeatureMode Mode = FeatureMode::None;
-  std::vector<PointPair> Edges;  ///< Given: point ids of the input surface
-  std::vector<Index> Corners;    ///< Given: further corners; where curves meet or kink there is one anyway
+  std::vector<PointPair> Edges; ///< point ids of the input surface
+  std::vector<Index> Corners;   ///< further ones; where curves meet or kink there is one anyway
+  double CornerAngle = 140.0;   ///< kinks: FeatureGraphOptions
   FeatureDetectionOptions Detection; ///< Angle
   bool EnforceAll = false; ///< also corners with many or acute curves
 };
@@ -71,6 +72,7 @@ struct MeshingResult
   HexMesh Mesh;
   std::vector<int> Region; ///< per hex, 1 and up: which body
   SurfaceFeatures SurfaceGraph; ///< features of the checked surface
+  FeatureExtractionReport FeatureReport;
   HexFeatures Features;         ///< of the mesh; empty without features
   std::vector<int> Level;  ///< per hex: octree level relative to the target edge length
   double TargetEdgeLength = 0.0;

@@ -3,17 +3,18 @@
 
 namespace featurehex
 {
-FeatureLabels::FeatureLabels(const HexFeatures& features, const HexStars& stars)
-  : Kind(stars.Hexes.size(), FeatureKind::Interior)
-  , Id(stars.Hexes.size(), -1)
+FeatureLabels::FeatureLabels(
+  const HexFeatures& features, const std::vector<Quad>& quads, std::size_t numberOfPoints)
+  : Kind(numberOfPoints, FeatureKind::Interior)
+  , Id(numberOfPoints, -1)
 {
   const auto label = [this](Index v, FeatureKind kind, Index id) {
     this->Kind[v] = kind;
     this->Id[v] = id;
   };
-  for (std::size_t q = 0; q < stars.Quads.size(); ++q)
+  for (std::size_t q = 0; q < quads.size(); ++q)
   {
-    for (Index v : stars.Quads[q])
+    for (Index v : quads[q])
     {
       label(v, FeatureKind::Surface, features.PatchOfQuad[q]);
     }

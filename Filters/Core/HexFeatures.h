@@ -36,7 +36,13 @@ struct FeatureLabels
   std::vector<Index> Id; ///< patch, curve or corner; -1: interior
 
   FeatureLabels() = default;
-  FeatureLabels(const HexFeatures& features, const HexStars& stars);
+  FeatureLabels(const HexFeatures& features, const HexStars& stars)
+    : FeatureLabels(features, stars.Quads, stars.Hexes.size())
+  {
+  }
+  /// @a quads: those of the boundary, as many as PatchOfQuad has.
+  FeatureLabels(
+    const HexFeatures& features, const std::vector<Quad>& quads, std::size_t numberOfPoints);
 };
 } // namespace featurehex
 
