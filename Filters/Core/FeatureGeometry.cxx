@@ -147,8 +147,8 @@ void FeatureGeometry::BuildCurves(double trim)
     enforced.FirstCorner = cutFirst ? -1 : curve.FirstCorner;
     enforced.LastCorner = cutLast ? -1 : curve.LastCorner;
     enforced.Closed = curve.Closed() && curve.FirstCorner < 0;
-    enforced.LeftPatch = this->PatchOf(curve.LeftPatch);
-    enforced.RightPatch = this->PatchOf(curve.RightPatch);
+    enforced.LeftPatch = curve.LeftPatch;
+    enforced.RightPatch = curve.RightPatch;
     const double length = PolylineLength(points);
     const double from = cutFirst ? trim : 0.0;
     const double to = length - (cutLast ? trim : 0.0);
@@ -229,8 +229,7 @@ void FeatureGeometry::BuildPatches()
   std::vector<SurfaceMesh> meshes(this->Graph.NumberOfPatches);
   for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
   {
-    meshes[this->PatchOf(this->Graph.PatchOfTriangle[t])].Triangles.push_back(
-      this->Mesh.Triangles[t]);
+    meshes[this->Graph.PatchOfTriangle[t]].Triangles.push_back(this->Mesh.Triangles[t]);
   }
   std::vector<Index> local(this->Mesh.Points.size(), -1);
   for (SurfaceMesh& mesh : meshes)
@@ -253,8 +252,7 @@ void FeatureGeometry::BuildPatches()
     {
       local[v] = -1;
     }
-    this->Patches.push_back(
-      mesh.Triangles.empty() ? nullptr : std::make_unique<SurfaceGeometry>(std::move(mesh)));
+    this->Patches.push_back(std::make_unique<SurfaceGeometry>(std::move(mesh)));
   }
 }
 } // namespace featurehex

@@ -27,7 +27,7 @@ struct EnforcedCurve
   std::vector<Vec3> Points;  ///< empty: nothing of the curve is enforced
   std::vector<double> Arcs;  ///< length up to each point
   Index FirstCorner = -1, LastCorner = -1; ///< -1: a free end, or a loop without corner
-  int LeftPatch = -1, RightPatch = -1;     ///< after merging, see FeatureGeometry::PatchOf
+  int LeftPatch = -1, RightPatch = -1;     ///< of the surface, before merging
   bool Closed = false;
 
   double Length() const { return this->Arcs.empty() ? 0.0 : this->Arcs.back(); }
@@ -71,8 +71,7 @@ public:
 
   /// Patch that stands for @a patch: its own id, or the lowest of those merged with it.
   int PatchOf(int patch) const { return this->MergedPatch[patch]; }
-  /// Triangles of a patch; null for one merged into another.
-  const SurfaceGeometry* Patch(int patch) const { return this->Patches[patch].get(); }
+  const SurfaceGeometry& Patch(int patch) const { return *this->Patches[patch]; }
 
 private:
   void MergePatches();

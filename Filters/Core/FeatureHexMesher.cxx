@@ -30,6 +30,8 @@ constexpr double FarFromOrigin = 100;    // diagonals
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
+constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
+constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
 constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
 
 /// Adds the wall time between construction and destruction to a stage.
@@ -532,7 +534,8 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   this->KeepBest();
   const double minimum = this->Result.Validation.Quality.Minimum;
-  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian ||
+  const double share = this->Geometry ? AcceptableFeatureShare : AcceptableShare;
+  if (minimum >= share * this->Options.MinimumScaledJacobian ||
     ++this->QualityRounds > MaximumQualityRounds)
   {
     return Outcome::Done;
@@ -550,6 +553,10 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       }
       places.push_back(this->Surface->Search().Closest(center).Point);
     }
+  }
+  if (this->Geometry && places.size() > StructuralShare * this->Body.Mesh.Hexes.size())
+  {
+    return Outcome::Done; // creases: finer cells would look the same
   }
   const Outcome outcome = this->Refine(
     "The worst hexes are stuck at a low scaled Jacobian", StatusCode::Validation, places, status);

@@ -22,14 +22,14 @@ public:
   FeatureKind KindOf(Index v) const { return this->Labels.Kind[v]; }
   bool OnFeature(Index v) const { return this->Labels.Kind[v] >= FeatureKind::Curve; }
 
-  /// Patch of a surface vertex or of a boundary quad.
-  const SurfaceGeometry& PatchAt(Index v) const
+  /// Patch of a surface vertex; @a whole for one that may be on several.
+  const SurfaceGeometry& PatchAt(Index v, const SurfaceGeometry& whole) const
   {
-    return *this->Geometry.Patch(this->Labels.Id[v]);
+    return this->Labels.Id[v] < 0 ? whole : this->Geometry.Patch(this->Labels.Id[v]);
   }
   const SurfaceGeometry& PatchOfQuad(Index q) const
   {
-    return *this->Geometry.Patch(this->Features.PatchOfQuad[q]);
+    return this->Geometry.Patch(this->Features.PatchOfQuad[q]);
   }
 
   /// Closest point of the curve of @a v near where it was before. Precondition: a curve vertex.

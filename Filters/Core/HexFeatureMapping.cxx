@@ -14,6 +14,7 @@ namespace featurehex
 namespace
 {
 constexpr double WideReach = 2.5; // of the usual reach, when there is nothing within it
+constexpr int BesideRings = 3;
 constexpr double PlaceSpacing = 1.0; // of refinement points along a curve, local edge lengths
 
 std::string At(const Vec3& p)
@@ -69,6 +70,8 @@ private:
   void AddCandidates(Index corner, double reach, std::vector<Candidate>& candidates) const;
   std::vector<Vec3> PlacesAlong(Index curve) const;
   std::vector<Vec3> PlacesOfPatch(int patch) const;
+  std::vector<int> PatchesBesidePaths() const;
+  int NearestOfGroup(int root, const Vec3& p) const;
   Vec3 Center(Index quad) const;
   std::vector<Index> PiecesBetweenPaths() const;
 
@@ -239,7 +242,7 @@ std::vector<Index> Mapper::PiecesBetweenPaths() const
 std::vector<Vec3> Mapper::PlacesOfPatch(int patch) const
 {
   std::vector<Vec3> places;
-  const SurfaceMesh& mesh = this->Geometry.Patch(patch)->Mesh();
+  const SurfaceMesh& mesh = this->Geometry.Patch(patch).Mesh();
   const std::size_t stride = std::max<std::size_t>(1, mesh.Triangles.size() / 200);
   for (std::size_t t = 0; t < mesh.Triangles.size(); t += stride)
   {
@@ -260,9 +263,10 @@ void Mapper::MatchPatches()
     const EnforcedCurve& curve = this->Geometry.Curves()[c];
     for (Index d : this->Router.Paths()[c])
     {
-      auto& left = votes[{ pieces[d / 4], curve.LeftPatch }];
+      auto& left = votes[{ pieces[d / 4], this->Geometry.PatchOf(curve.LeftPatch) }];
       left = { left.first + 1, static_cast<Index>(c) };
-      auto& right = votes[{ pieces[this->Graph.Opposite(d) / 4], curve.RightPatch }];
+      auto& right = votes[{ pieces[this->Graph.Opposite(d) / 4],
+        this->Geometry.PatchOf(curve.RightPatch) }];
       right = { right.first + 1, static_cast<Index>(c) };
     }
   }
@@ -296,7 +300,7 @@ void Mapper::MatchPatches()
   std::vector<int> lonely;
   for (int patch = 0; patch < this->Geometry.Features().NumberOfPatches; ++patch)
   {
-    if (this->Geometry.Patch(patch) && piecesOfPatch.find(patch) == piecesOfPatch.end())
+    if (this->Geometry.PatchOf(patch) == patch && piecesOfPatch.find(patch) == piecesOfPatch.end())
     {
       lonely.push_back(patch);
     }
@@ -309,7 +313,7 @@ void Mapper::MatchPatches()
       for (int patch : lonely)
       {
         const double distance =
-          this->Geometry.Patch(patch)->Search().Closest(this->Center(q), -1, least).Distance;
+          this->Geometry.Patch(patch).Search().Closest(this->Center(q), -1, least).Distance;
         if (distance < least)
         {
           least = distance;
@@ -331,7 +335,7 @@ void Mapper::MatchPatches()
   for (int patch = 0; patch < this->Geometry.Features().NumberOfPatches; ++patch)
   {
     const int count = piecesOfPatch[patch];
-    if (this->Geometry.Patch(patch) && count != 1)
+    if (this->Geometry.PatchOf(patch) == patch && count != 1)
     {
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
       this->Fail("Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
@@ -339,10 +343,77 @@ void Mapper::MatchPatches()
         places);
     }
   }
-  for (Index piece : pieces)
+  // Where patches were merged, the paths tell them apart near the curves.
+  const std::vector<int> beside = this->PatchesBesidePaths();
+  for (Index q = 0; q < static_cast<Index>(pieces.size()); ++q)
   {
-    this->Result.Features.PatchOfQuad.push_back(patchOfPiece[piece]);
+    const int root = patchOfPiece[pieces[q]];
+    const bool known = beside[q] >= 0 && this->Geometry.PatchOf(beside[q]) == root;
+    this->Result.Features.PatchOfQuad.push_back(
+      known || root < 0 ? (known ? beside[q] : -1) : this->NearestOfGroup(root, this->Center(q)));
   }
+}
+
+/// Patch of the quads up to BesideRings rings from a path, by the side they are on; -1: farther.
+std::vector<int> Mapper::PatchesBesidePaths() const
+{
+  std::vector<int> patches(this->Graph.Quads().size(), -1);
+  std::vector<bool> wall(this->Graph.NumberOfDarts(), false);
+  std::vector<Index> front;
+  const auto reach = [&](Index quad, int patch, std::vector<Index>& list) {
+    if (patches[quad] < 0)
+    {
+      patches[quad] = patch;
+      list.push_back(quad);
+    }
+  };
+  for (std::size_t c = 0; c < this->Router.Paths().size(); ++c)
+  {
+    const EnforcedCurve& curve = this->Geometry.Curves()[c];
+    for (Index d : this->Router.Paths()[c])
+    {
+      const Index other = this->Graph.Opposite(d);
+      wall[d] = wall[other] = true;
+      reach(d / 4, curve.LeftPatch, front);
+      reach(other / 4, curve.RightPatch, front);
+    }
+  }
+  for (int ring = 1; ring < BesideRings; ++ring)
+  {
+    std::vector<Index> next;
+    for (Index q : front)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        if (!wall[4 * q + k])
+        {
+          reach(this->Graph.Opposite(4 * q + k) / 4, patches[q], next);
+        }
+      }
+    }
+    front = std::move(next);
+  }
+  return patches;
+}
+
+int Mapper::NearestOfGroup(int root, const Vec3& p) const
+{
+  int nearest = root;
+  double least = 1e300;
+  for (int patch = 0; patch < this->Geometry.Features().NumberOfPatches; ++patch)
+  {
+    if (this->Geometry.PatchOf(patch) != root)
+    {
+      continue;
+    }
+    const double distance = this->Geometry.Patch(patch).Search().Closest(p, -1, least).Distance;
+    if (distance < least)
+    {
+      least = distance;
+      nearest = patch;
+    }
+  }
+  return nearest;
 }
 }
 

@@ -16,7 +16,9 @@ FeatureLabels::FeatureLabels(
   {
     for (Index v : quads[q])
     {
-      label(v, FeatureKind::Surface, features.PatchOfQuad[q]);
+      const bool mixed =
+        this->Kind[v] == FeatureKind::Surface && this->Id[v] != features.PatchOfQuad[q];
+      label(v, FeatureKind::Surface, mixed ? -1 : features.PatchOfQuad[q]);
     }
   }
   for (std::size_t c = 0; c < features.CurvePaths.size(); ++c)

@@ -33,7 +33,7 @@ enum class FeatureKind : std::uint8_t
 struct FeatureLabels
 {
   std::vector<FeatureKind> Kind;
-  std::vector<Index> Id; ///< patch, curve or corner; -1: interior
+  std::vector<Index> Id; ///< patch, curve or corner; -1: interior, or between patches that no curve parts
 
   FeatureLabels() = default;
   FeatureLabels(const HexFeatures& features, const HexStars& stars)

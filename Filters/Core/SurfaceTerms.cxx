@@ -72,7 +72,7 @@ void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight)
     else if (this->Stars.OnBoundary(vertex))
     {
       optimizer.VertexTerms[v] =
-        PlaneTerm(this->Features ? this->Features->PatchAt(vertex) : this->Surface,
+        PlaneTerm(this->Features ? this->Features->PatchAt(vertex, this->Surface) : this->Surface,
           this->Mesh.Points[v], this->VertexHints[v], size, weight);
     }
   });

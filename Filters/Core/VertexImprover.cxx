@@ -333,7 +333,7 @@ TrianglePoint VertexImprover::ClosestOnSurface(
 {
   const bool matched =
     this->FeaturesOfMesh && this->FeaturesOfMesh->KindOf(vertex) == FeatureKind::Surface;
-  const SurfaceGeometry& target = matched ? this->FeaturesOfMesh->PatchAt(vertex) : surface;
+  const SurfaceGeometry& target = matched ? this->FeaturesOfMesh->PatchAt(vertex, surface) : surface;
   const TrianglePoint closest = target.Search().Closest(p);
   normal = target.Search().Normal(closest.Triangle);
   return closest;
