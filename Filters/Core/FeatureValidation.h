@@ -101,8 +101,8 @@ struct FeatureCorrespondence
 /// centres and edge middles are within @a tolerance of it.
 ///
 /// A corner that isn't Valid() isn't enforced, nor a curve that ends at one, nor the patches on
-/// its two sides: nothing parts them at that corner. They are reported, but don't count. Such
-/// patches may share the id of the lowest of them.
+/// its two sides: nothing parts them at that corner. They are reported, but don't count; how
+/// the quads of such patches are labelled doesn't matter.
 ///
 /// @a boundary: of @a mesh. Ids and sizes in @a features needn't be right. Parallel over the patches,
 /// the same bits for any number of threads.

@@ -32,7 +32,7 @@
  *
  * <b>Output 1:</b> vtkPolyData, the boundary quads, outward. Cells: PatchId (int, 0 and up: the patch
  * between feature curves; without features the component of the input surface; in the order of their
- * first triangles. Patches round a corner that is not enforced have the lowest of their ids),
+ * first triangles. Near a corner that is not enforced no curve parts the patches, the nearest counts),
  * Deviation (double, model units: no point of the quad is farther from the input; proven).
  *
  * <b>Output 2:</b> vtkPolyData, the features of the result: a vertex cell for each corner, a polyline
