@@ -13,7 +13,7 @@ namespace
 constexpr double Pi = 3.14159265358979323846;
 constexpr Index CornerOwner = -2;
 constexpr double DistancePrice = 4.0; // of an edge one edge length away from the curve, per its length
-constexpr double ArcSlack = 3.0;      // progress along the curve per edge length at most
+constexpr double ArcSlack = 2.0;      // progress along the curve per edge length at most
 constexpr double SpokePrice = 1.0;    // edge lengths per dart away from the preferred one
 constexpr double ReservedPrice = 1.5; // edge lengths
 constexpr double OwnedPrice = 4.0;    // edge lengths: a vertex of another path in a relaxed search
@@ -241,7 +241,7 @@ bool CurveRouter::RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& dar
     const CurvePoint closest = curve.Closest(this->Points[head], leg.From, leg.To);
     const double length = (this->Points[head] - this->Points[this->Graph.Tail(dart)]).norm();
     if ((!arrives && closest.Distance > this->CurrentReach * size) ||
-      std::abs(closest.Arc - tailArc) > ArcSlack * length + 0.5 * size)
+      std::abs(closest.Arc - tailArc) > ArcSlack * length + 0.3 * size)
     {
       return;
     }

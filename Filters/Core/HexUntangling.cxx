@@ -33,7 +33,7 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
   if (surface)
   {
     SurfaceTerms(mesh, stars, *surface, options.Features)
-      .UpdatePlanes(optimizer, options.SurfaceWeight);
+      .UpdatePlanes(optimizer, options.SurfaceWeight, options.SurfaceWeight);
   }
   else
   {

@@ -11,7 +11,6 @@ namespace
 constexpr double NearSurface = 0.05; // closer: the smooth normal of the surface counts, not the direction
 constexpr double TargetReach = 0.5;  // targets are no farther than this
 constexpr double Tether = 0.02;      // weak pull to the closest point itself
-constexpr double FeatureWeight = 4.0; // of corners and curves against the surface
 
 /// Plane through (or, when far, towards) the closest surface point of @a p.
 SurfaceTerm PlaneTerm(
@@ -60,14 +59,14 @@ SurfaceTerms::SurfaceTerms(const HexMesh& mesh, const HexStars& stars,
 {
 }
 
-void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight)
+void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight, double featureWeight)
 {
   ParallelFor(this->Mesh.Points.size(), 512, [&](std::size_t v) {
     const Index vertex = static_cast<Index>(v);
     const double size = optimizer.SizeAt(vertex);
     if (this->Features && this->Features->OnFeature(vertex))
     {
-      optimizer.VertexTerms[v] = this->FeatureTerm(vertex, size, weight);
+      optimizer.VertexTerms[v] = this->FeatureTerm(vertex, size, featureWeight);
     }
     else if (this->Stars.OnBoundary(vertex))
     {
@@ -117,7 +116,7 @@ SurfaceTerm SurfaceTerms::FeatureTerm(Index v, double size, double weight) const
   {
     term.Target = p + toTarget * (TargetReach * size / distance);
   }
-  term.Weight = FeatureWeight * weight / (size * size);
+  term.Weight = weight / (size * size);
   return term;
 }
 
