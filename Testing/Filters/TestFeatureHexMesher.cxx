@@ -378,7 +378,7 @@ TEST(FeatureHexMesher, AnnotationsThatCanNotBeUsed)
   EXPECT_FALSE(IsEmpty(mesher->GetOutputDataObject(0)));
   // Lines of another surface.
   mesher->SetInputDataObject(1, EdgesOfCube());
-  ExpectFailure(mesher, "annotation");
+  ExpectFailure(mesher, "no point of the surface");
 }
 
 TEST(FeatureHexMesher, OptionsAreClampedAndPrinted)
