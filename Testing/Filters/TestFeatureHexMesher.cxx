@@ -41,6 +41,13 @@ vtkSmartPointer<vtkPolyData> Cube()
   return source->GetOutput();
 }
 
+vtkSmartPointer<vtkFeatureHexMesher> CubeMesher()
+{
+  auto mesher = CoarseMesher(Cube());
+  mesher->SetTargetEdgeLength(0.25);
+  return mesher;
+}
+
 /// The 12 edges of Cube() as lines between points of their own.
 vtkSmartPointer<vtkPolyData> EdgesOfCube()
 {
@@ -243,7 +250,7 @@ TEST(FeatureHexMesher, AbortsWithinASecondInEachPhase)
 
 TEST(FeatureHexMesher, FeaturesOfACubeByAnnotation)
 {
-  auto mesher = CoarseMesher(Cube());
+  auto mesher = CubeMesher();
   mesher->SetInputDataObject(1, EdgesOfCube());
   Messages messages(mesher);
   mesher->Update();
@@ -309,10 +316,10 @@ TEST(FeatureHexMesher, FeaturesOfACubeByAnnotation)
 
 TEST(FeatureHexMesher, FeaturesByAngleAndNone)
 {
-  auto given = CoarseMesher(Cube());
+  auto given = CubeMesher();
   given->SetInputDataObject(1, EdgesOfCube());
   given->Update();
-  auto found = CoarseMesher(Cube());
+  auto found = CubeMesher();
   found->SetFeatureModeToAngle();
   found->Update();
   ExpectSameData(given->GetOutputDataObject(0), found->GetOutputDataObject(0));
@@ -327,7 +334,7 @@ TEST(FeatureHexMesher, FeaturesByAngleAndNone)
 
 TEST(FeatureHexMesher, FeaturesSurviveFiles)
 {
-  auto mesher = CoarseMesher(Cube());
+  auto mesher = CubeMesher();
   mesher->SetInputDataObject(1, EdgesOfCube());
   mesher->Update();
   vtkUnstructuredGrid* mesh = MeshOf(mesher);
