@@ -2,6 +2,7 @@
 #include "HexFitting.h"
 
 #include "SurfaceTerms.h"
+#include "VertexImprover.h"
 
 #include <algorithm>
 
@@ -19,6 +20,7 @@ constexpr double SnapNear = 0.02;        // local sizes: vertices as near as thi
 constexpr int SnapFarStart = 25;         // ... and, after so many attempts, all others
 constexpr int ForceRings = 3;            // neighbourhood that gives way to a trapped vertex
 constexpr int ForceSweeps = 40;
+constexpr int CertifySweeps = 10; // to make untangled hexes valid over their whole volume
 constexpr int SnapTrials = 4;            // halvings of one such move
 
 /// Moves feature vertices to their features, one at a time; those that arrive are locked. Returns how many are not.
@@ -121,7 +123,18 @@ bool ForceSnap(HexMesh& mesh, const HexStars& stars, FeatureTargets& features,
     optimizer.Sweep(delta);
     least = worst();
   }
-  if (!(least > 0))
+  const auto certified = [&] {
+    return std::all_of(hexes.begin(), hexes.end(),
+      [&mesh](Index h) { return LeastBezierCoefficient(mesh, h) > 0; });
+  };
+  bool sound = least > 0 && certified();
+  for (int sweep = 0; sweep < CertifySweeps && least > 0 && !sound; ++sweep)
+  {
+    optimizer.ActivateAll();
+    optimizer.Sweep(-1.0);
+    sound = certified();
+  }
+  if (!sound)
   {
     features.Unlock(vertex);
     for (std::size_t i = 0; i < region.size(); ++i)
@@ -130,7 +143,7 @@ bool ForceSnap(HexMesh& mesh, const HexStars& stars, FeatureTargets& features,
     }
   }
   std::fill(optimizer.Fixed.begin(), optimizer.Fixed.end(), false);
-  return least > 0;
+  return sound;
 }
 
 /// Draw, snap what is near, and again with a higher weight, until all feature vertices are locked or nothing changes.

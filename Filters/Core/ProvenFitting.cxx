@@ -10,6 +10,7 @@ namespace featurehex
 namespace
 {
 constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
+constexpr double RefineBeyondWithFeatures = 4.0; // vertices beside creases arrive late
 constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
@@ -58,7 +59,8 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
     {
       return monitor.Stopped() ? monitor.StopStatus() : status;
     }
-    report.Places = PlacesBeyond(envelope, stars, RefineBeyond * this->AbsoluteTolerance());
+    report.Places = PlacesBeyond(envelope, stars,
+      (features ? RefineBeyondWithFeatures : RefineBeyond) * this->AbsoluteTolerance());
   }
   return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, report, monitor)
                                : Status();
