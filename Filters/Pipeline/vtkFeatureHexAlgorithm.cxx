@@ -4,7 +4,6 @@
 #include "AlgorithmMonitor.h"
 #include "ArrayNames.h"
 
-#include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -76,16 +75,6 @@ vtkFeatureHexAlgorithm::vtkFeatureHexAlgorithm() = default;
 
 //------------------------------------------------------------------------------
 vtkFeatureHexAlgorithm::~vtkFeatureHexAlgorithm() = default;
-
-//------------------------------------------------------------------------------
-void vtkFeatureHexAlgorithm::WarnAboutFeatures(vtkInformationVector* input)
-{
-  vtkDataSet* features = vtkDataSet::GetData(input);
-  if (features && features->GetNumberOfCells() > 0)
-  {
-    vtkWarningMacro("The features are not used: this version doesn't mesh sharp features.");
-  }
-}
 
 //------------------------------------------------------------------------------
 int vtkFeatureHexAlgorithm::RequestDataObject(

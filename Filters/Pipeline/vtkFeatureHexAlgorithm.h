@@ -51,11 +51,6 @@ protected:
   virtual featurehex::Status Compute(
     vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor) = 0;
 
-  /**
-   * Features are accepted for files and scripts of later versions; say that they have no effect.
-   */
-  void WarnAboutFeatures(vtkInformationVector* input);
-
   int RequestDataObject(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestInformation(

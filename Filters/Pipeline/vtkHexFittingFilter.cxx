@@ -2,11 +2,11 @@
 #include "vtkHexFittingFilter.h"
 
 #include "ArrayNames.h"
-#include "BoundaryPatches.h"
 #include "DataConversion.h"
 #include "HexUntangling.h"
 #include "ProvenFitting.h"
-#include "SurfaceSizing.h"
+#include "RefinementConversion.h"
+#include "StageFeatures.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -15,36 +15,13 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <limits>
+#include <memory>
+#include <string>
+
 vtkStandardNewMacro(vtkHexFittingFilter);
 
-namespace
-{
 using namespace featurehex;
-
-/// One level finer than the hexes next to @a places.
-std::vector<std::pair<RefinementPoint, std::string>> PointsToRefine(const HexMesh& mesh,
-  const HexStars& stars, const std::vector<Vec3>& places, const std::vector<int>& level,
-  double edgeLength)
-{
-  std::vector<RefinementPoint> points;
-  const std::vector<Index> nearest = NearestQuads(mesh.Points, stars.Quads, places);
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    const int current = level.empty() ? 0 : level[stars.QuadOwners[nearest[i]]];
-    points.push_back({ places[i], current + 1 });
-  }
-  if (edgeLength > 0)
-  {
-    points = ThinRefinementPoints(points, edgeLength);
-  }
-  std::vector<std::pair<RefinementPoint, std::string>> result;
-  for (const RefinementPoint& point : points)
-  {
-    result.emplace_back(point, "distance");
-  }
-  return result;
-}
-} // namespace
 
 //------------------------------------------------------------------------------
 vtkHexFittingFilter::vtkHexFittingFilter()
@@ -79,7 +56,6 @@ int vtkHexFittingFilter::FillOutputPortInformation(int port, vtkInformation* inf
 featurehex::Status vtkHexFittingFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
-  this->WarnAboutFeatures(inputs[2]);
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
   monitor.BeginPhase("checking the hexes", 0.0, 0.02);
   HexMesh mesh;
@@ -113,18 +89,34 @@ featurehex::Status vtkHexFittingFilter::Compute(
   monitor.BeginPhase("fitting to the surface", 0.1, 1.0);
   const SurfaceGeometry surface(std::move(checked));
   const HexStars stars(mesh);
+  const double edgeLength = FieldValue(input->GetFieldData(), ArrayNames::TargetEdgeLength, 0.0);
+  StageFeatures features;
+  status = features.Read(surface.Mesh(), vtkPolyData::GetData(inputs[2]), edgeLength);
+  std::string warning;
+  if (status.Ok())
+  {
+    status = features.ReadMapped(input, stars.Quads, warning);
+  }
+  if (!status.Ok())
+  {
+    return status;
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  const std::unique_ptr<FeatureTargets> targets = features.Targets(stars, mesh.Points);
   ProvenFittingOptions options;
   options.Tolerance = this->Tolerance;
   options.MinimumScaledJacobian = this->MinimumScaledJacobian;
   options.FittingIterations = this->FittingIterations;
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
-  status = ProvenFitting(surface, options).Run(mesh, stars, nullptr, report, monitor);
+  status = ProvenFitting(surface, options).Run(mesh, stars, targets.get(), report, monitor);
   if (!status.Ok())
   {
     return status;
   }
-  const std::vector<Vec3>& places = report.Places;
   const bool improved = this->MinimumScaledJacobian > 0 && report.Improvement.Drawn;
   FigureRow row;
   row.Numbers = { { "WithinTolerance", report.Outcome == FittingOutcome::Proven ? 1.0 : 0.0 },
@@ -133,14 +125,19 @@ featurehex::Status vtkHexFittingFilter::Compute(
   {
     row.Numbers.emplace_back("HexesBelowMinimum", report.Improvement.BelowTarget);
   }
+  if (targets)
+  {
+    row.Numbers.emplace_back("VerticesOffFeatures", report.Improvement.OffFeatures);
+  }
 
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
   GridFromMesh(mesh, output);
   PassArrays(input, output);
   row.Write(output->GetFieldData());
-  const double edgeLength = FieldValue(input->GetFieldData(), ArrayNames::TargetEdgeLength, 0.0);
-  PolyDataFromRefinementPoints(
-    PointsToRefine(mesh, stars, places, level, edgeLength), vtkPolyData::GetData(outputs, 1));
+  std::vector<std::pair<RefinementPoint, std::string>> points;
+  AppendPlaces({ mesh.Points, stars.Quads, stars.QuadOwners, level, edgeLength }, report.Places,
+    std::numeric_limits<int>::max(), "distance", points);
+  PolyDataFromRefinementPoints(points, vtkPolyData::GetData(outputs, 1));
   return status;
 }
 

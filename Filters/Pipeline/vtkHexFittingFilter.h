@@ -4,23 +4,27 @@
  * @brief Draws the boundary of a hex mesh onto the surface and raises the worst hexes.
  *
  * Minimises distortion and the distance to the closest points, both ways, over all vertices; no
- * step leaves validity. Then the worst hexes are improved inside the tolerance, unless the boundary
+ * step leaves validity. Vertices of sharp features go to their own corner, curve or patch, not to
+ * the closest one, and stay there. Then the worst hexes are improved inside the tolerance, unless the boundary
  * is still farther than 1.4 tolerances from the surface somewhere: there the octree has to be
  * refined first.
  *
  * <b>Input 0:</b> vtkUnstructuredGrid, conforming mesh of the bodies (hexahedra or voxels) without
  * inverted hexes, near the surface: that of vtkHexUntangleFilter. Cells: Level (optional, for
- * output 1). Field data: TargetEdgeLength (optional, thins output 1).
+ * output 1). Points FeatureKind, FeatureId and field data FeatureQuads, FeatureEdges (optional): the
+ * features of vtkHexFeatureMappingFilter. Field data: TargetEdgeLength (optional, thins output 1).
  *
  * <b>Input 1:</b> vtkPolyData, the surface (triangles, strips or polygons): closed, without
  * self-intersections; vtkSurfaceFeatureFilter says what that means.
  *
- * <b>Input 2 (optional):</b> vtkPolyData, feature graph. Not used yet: a warning says so.
+ * <b>Input 2 (optional):</b> vtkPolyData, the feature graph that vtkHexFeatureMappingFilter had. A
+ * warning says when the mesh has no features, or has some and there is no graph.
  *
  * <b>Output 0:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON: the same hexes and arrays, moved points.
  * ScaledJacobian, Certified and Defects of the input are left out. Field data, one double each:
  * WithinTolerance (1: proven), Improved (1: the worst-element stage ran), HexesBelowMinimum (left
- * below MinimumScaledJacobian by it).
+ * below MinimumScaledJacobian by it), VerticesOffFeatures (with features: vertices of corners and
+ * curves that could not be put on them without an invalid hex).
  *
  * <b>Output 1:</b> vtkPolyData, refinement points as vertices for input 2 of
  * vtkSurfaceOctreeFilter, where the tolerance is exceeded. Points: Level (int, one more than the
@@ -29,7 +33,8 @@
  * <b>Guarantees:</b> every element is valid. The distance is only measured here: when
  * WithinTolerance is 0, refine at output 1.
  *
- * <b>Errors:</b> inverted hexes (untangle first); a mesh that is not conforming; what
+ * <b>Errors:</b> inverted hexes (untangle first); features of the mesh that are not those of the
+ * graph; a mesh that is not conforming; what
  * vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> Tolerance is a fraction of the bounding-box diagonal.

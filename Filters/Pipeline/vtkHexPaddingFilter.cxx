@@ -3,23 +3,101 @@
 
 #include "ArrayNames.h"
 #include "DataConversion.h"
-#include "HexPadding.h"
+#include "HexFeatureConversion.h"
+#include "HexLocalPadding.h"
+#include "InterfaceRepair.h"
+#include "StageFeatures.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <string>
 
 vtkStandardNewMacro(vtkHexPaddingFilter);
 
+namespace
+{
 using namespace featurehex;
+
+/// In the order of PadInterface().
+std::vector<Quad> InterfaceOf(const HexMesh& mesh, const std::vector<int>& region)
+{
+  std::vector<Quad> quads;
+  for (const InterfaceQuad& quad : InterfaceQuads(mesh, HexGraph(mesh).Neighbors, region))
+  {
+    quads.push_back(quad.Vertices);
+  }
+  return quads;
+}
+/// What features add to the padding.
+struct FeaturePadding
+{
+  bool Local = true;
+  HexFeatures Features; ///< of the padded mesh; empty without
+  LocalPaddingReport Report;
+  std::string Warning;
+
+  Status Run(vtkInformationVector** inputs, const std::vector<Quad>& interface,
+    PaddedMesh& padded, Monitor& monitor);
+};
+
+Status FeaturePadding::Run(vtkInformationVector** inputs, const std::vector<Quad>& interface,
+  PaddedMesh& padded, Monitor& monitor)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
+  vtkPolyData* surfaceData = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* graph = vtkPolyData::GetData(inputs[2]);
+  if (graph && !surfaceData)
+  {
+    return Status(StatusCode::InvalidOption,
+      "A feature graph (input 2) is of use only together with its surface (input 1).");
+  }
+  Status status;
+  SurfaceMesh surface;
+  StageFeatures features;
+  if (graph && this->Local)
+  {
+    monitor.BeginPhase("checking the surface", 0.3, 0.8);
+    status = CheckedSurface(surfaceData, surface, monitor);
+    if (status.Ok())
+    {
+      status = features.Read(surface, graph,
+        FieldValue(input->GetFieldData(), ArrayNames::TargetEdgeLength, 0.0));
+    }
+  }
+  if (status.Ok() && this->Local)
+  {
+    status = features.ReadMapped(input, interface, this->Warning);
+  }
+  HexFeatures ofInterface = features.Mapped();
+  if (status.Ok() && ofInterface.Empty() && HasHexFeatures(input))
+  {
+    status = HexFeaturesFromGrid(input, interface, ofInterface);
+  }
+  if (!status.Ok() || ofInterface.Empty())
+  {
+    return status;
+  }
+  monitor.BeginPhase("padding at features", 0.8, 0.9);
+  this->Features = FeaturesOfPaddedMesh(ofInterface, padded, HexStars(padded.Mesh));
+  if (!features.Mapped().Empty())
+  {
+    this->Report =
+      PadDegenerateQuads(padded, this->Features, features.Geometry(), LocalPaddingOptions());
+  }
+  return status;
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkHexPaddingFilter::vtkHexPaddingFilter()
 {
-  this->SetNumberOfInputPorts(1);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(1);
 }
 
@@ -27,9 +105,14 @@ vtkHexPaddingFilter::vtkHexPaddingFilter()
 vtkHexPaddingFilter::~vtkHexPaddingFilter() = default;
 
 //------------------------------------------------------------------------------
-int vtkHexPaddingFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkHexPaddingFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  if (port >= 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return 1;
 }
 
@@ -45,7 +128,7 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
-  monitor.BeginPhase("checking the hexes", 0.0, 0.5);
+  monitor.BeginPhase("checking the hexes", 0.0, 0.3);
   HexMesh mesh;
   Status status = MeshFromGrid(input, MeshCheck::Conforming, mesh);
   std::vector<int> region;
@@ -57,16 +140,26 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   {
     return status;
   }
-  monitor.BeginPhase("padding", 0.5, 1.0);
   PaddingOptions options;
   options.Thickness = this->Thickness;
   PaddedMesh padded;
   status = PadInterface(mesh, region, options, padded);
+  FeaturePadding features;
+  features.Local = this->LocalPadding;
+  if (status.Ok() && (HasHexFeatures(input) || vtkPolyData::GetData(inputs[2])))
+  {
+    status = features.Run(inputs, InterfaceOf(mesh, region), padded, monitor);
+  }
   if (!status.Ok())
   {
     return status;
   }
+  if (!features.Warning.empty())
+  {
+    vtkWarningMacro(<< features.Warning);
+  }
 
+  monitor.BeginPhase("copying the arrays", 0.9, 1.0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   GridFromMesh(padded.Mesh, output);
   CopyRows(input->GetPointData(), padded.SourcePoint, output->GetPointData());
@@ -74,6 +167,19 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   output->GetFieldData()->PassData(input->GetFieldData());
   AddArray(output->GetCellData(), ArrayNames::PaddingLayer,
     std::vector<int>(padded.IsLayer.begin(), padded.IsLayer.end()));
+  // Labels of the unpadded mesh are copied to points below the boundary too.
+  output->GetPointData()->RemoveArray(ArrayNames::FeatureKind);
+  output->GetPointData()->RemoveArray(ArrayNames::FeatureId);
+  if (!features.Features.Empty())
+  {
+    const HexStars stars(padded.Mesh);
+    AddLabels(FeatureLabels(features.Features, stars), output->GetPointData());
+    AddElements(features.Features, stars.Quads, output->GetFieldData());
+    FigureRow row;
+    row.Numbers = { { "DegenerateQuads", features.Report.DegenerateQuads },
+      { "LocalPaddingHexes", features.Report.AddedHexes } };
+    row.Write(output->GetFieldData());
+  }
   monitor.Update(1.0);
   return status;
 }
@@ -82,5 +188,6 @@ featurehex::Status vtkHexPaddingFilter::Compute(
 void vtkHexPaddingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LocalPadding: " << (this->LocalPadding ? "on" : "off") << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
 }

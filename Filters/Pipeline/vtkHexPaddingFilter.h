@@ -7,17 +7,31 @@
  * without flattening a corner. Interface vertices stay where they are and become the boundary;
  * their inner copies move into the body.
  *
- * <b>Input:</b> vtkUnstructuredGrid, hex mesh of vtkHexDomainFilter. Cells: Region (0 outside, 1
- * and up: body), with a manifold interface.
+ * With features of vtkHexFeatureMappingFilter a quad may have two consecutive edges on one curve,
+ * where its corner would get a straight angle. Local padding surrounds such quads with a ring of
+ * hexes, and puts a second layer below them.
+ *
+ * <b>Input 0:</b> vtkUnstructuredGrid, hex mesh of vtkHexDomainFilter or
+ * vtkHexFeatureMappingFilter. Cells: Region (0 outside, 1 and up: body), with a manifold interface.
+ * Points FeatureKind, FeatureId and field data FeatureQuads, FeatureEdges (optional): its features.
+ *
+ * <b>Input 1 (optional):</b> vtkPolyData, the surface (triangles, strips or polygons). Only for
+ * local padding.
+ *
+ * <b>Input 2 (optional):</b> vtkPolyData, the feature graph that vtkHexFeatureMappingFilter had.
+ * Only for local padding: without it features are carried, and a warning says so.
  *
  * <b>Output:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON: bodies only, in a space-filling order.
  * Point and cell arrays of the input are copied from the vertex or hex that each one comes from
  * (layer hexes: the hex they cover). Cells: PaddingLayer (int, 1: hex of the layer). Field data of
- * the input.
+ * the input. With features: FeatureKind, FeatureId, FeatureQuads, FeatureEdges of the new mesh; field
+ * data, one double each: DegenerateQuads (found by local padding), LocalPaddingHexes (added by it).
  *
  * <b>Guarantees:</b> connectivity is valid. Some hexes may be inverted: vtkHexUntangleFilter.
  *
- * <b>Errors:</b> no array Region, no hex in a body, a mesh that is not conforming.
+ * <b>Errors:</b> no array Region, no hex in a body, a mesh that is not conforming; a feature graph
+ * without surface; features of the mesh that are not those of the graph; what
+ * vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> thickness in local cell sizes.
  *
@@ -28,7 +42,7 @@
  * <b>References:</b> X. Gao, H. Shen, D. Panozzo, "Feature Preserving Octree-Based Hexahedral
  * Meshing", Computer Graphics Forum 38(5), 2019, doi:10.1111/cgf.13795.
  *
- * @sa vtkHexDomainFilter vtkHexUntangleFilter
+ * @sa vtkHexDomainFilter vtkHexFeatureMappingFilter vtkHexUntangleFilter
  */
 
 #ifndef vtkHexPaddingFilter_h
@@ -53,6 +67,16 @@ public:
   vtkGetMacro(Thickness, double);
   ///@}
 
+  ///@{
+  /**
+   * More hexes where a feature would give the corner of a quad a straight angle. Needs inputs 1 and
+   * 2. Default: on.
+   */
+  vtkSetMacro(LocalPadding, bool);
+  vtkGetMacro(LocalPadding, bool);
+  vtkBooleanMacro(LocalPadding, bool);
+  ///@}
+
 protected:
   vtkHexPaddingFilter();
   ~vtkHexPaddingFilter() override;
@@ -67,6 +91,7 @@ private:
   void operator=(const vtkHexPaddingFilter&) = delete;
 
   double Thickness = 0.1;
+  bool LocalPadding = true;
 };
 
 #endif

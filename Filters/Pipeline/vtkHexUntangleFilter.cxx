@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHexUntangleFilter.h"
 
+#include "ArrayNames.h"
 #include "DataConversion.h"
 #include "HexUntangling.h"
+#include "StageFeatures.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -12,6 +14,7 @@
 
 #include <memory>
 #include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkHexUntangleFilter);
 
@@ -30,7 +33,7 @@ std::string Place(const Vec3& p)
 //------------------------------------------------------------------------------
 vtkHexUntangleFilter::vtkHexUntangleFilter()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(1);
 }
 
@@ -79,13 +82,41 @@ featurehex::Status vtkHexUntangleFilter::Compute(
   {
     return status;
   }
+  const HexStars stars(mesh);
+  StageFeatures features;
+  std::string warning;
+  if (vtkPolyData* graph = vtkPolyData::GetData(inputs[2]); graph && !surface)
+  {
+    status = Status(StatusCode::InvalidOption,
+      "A feature graph (input 2) is of use only together with its surface (input 1).");
+  }
+  else if (surface)
+  {
+    status = features.Read(surface->Mesh(), graph,
+      FieldValue(input->GetFieldData(), ArrayNames::TargetEdgeLength, 0.0));
+  }
+  if (status.Ok())
+  {
+    status = features.ReadMapped(input, stars.Quads, warning);
+  }
+  if (!status.Ok())
+  {
+    return status;
+  }
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
+  const std::unique_ptr<FeatureTargets> targets = features.Targets(stars, mesh.Points);
+
   monitor.BeginPhase("untangling", 0.3, 1.0);
   UntangleOptions options;
   options.Method =
     this->Method == STITCHING ? UntangleMethod::Stitching : UntangleMethod::Regularized;
   options.MaximumSweeps = this->MaximumSweeps;
+  options.Features = targets.get();
   UntangleReport report;
-  status = UntangleHexes(mesh, HexStars(mesh), surface.get(), options, report, monitor);
+  status = UntangleHexes(mesh, stars, surface.get(), options, report, monitor);
   if (status.Ok() && report.InvertedAfter > 0)
   {
     const std::vector<Index> inverted = InvertedHexes(mesh);

@@ -4,11 +4,16 @@
  * @brief Moves points until no hex is inverted.
  *
  * <b>Input 0:</b> vtkUnstructuredGrid, conforming hex mesh (hexahedra or voxels) with inverted
- * hexes or without.
+ * hexes or without. Points FeatureKind, FeatureId and field data FeatureQuads, FeatureEdges
+ * (optional): the features of vtkHexFeatureMappingFilter.
  *
  * <b>Input 1 (optional):</b> vtkPolyData, the surface (triangles, strips or polygons): closed,
  * without self-intersections; vtkSurfaceFeatureFilter says what that means. The boundary is held
  * near it; without it boundary vertices don't move, and a padded mesh can seldom be freed.
+ *
+ * <b>Input 2 (optional):</b> vtkPolyData, the feature graph that vtkHexFeatureMappingFilter had:
+ * vertices of features are held near their own corner, curve or patch. A warning says when the mesh
+ * has no features, or has some and there is no graph.
  *
  * <b>Output:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON: the same hexes and arrays, moved points.
  * ScaledJacobian, Certified and Defects of the input are left out. Field data, one double each:
@@ -17,7 +22,8 @@
  * <b>Guarantees:</b> no corner of a hex is inverted.
  *
  * <b>Errors:</b> hexes that stay inverted (how many, where; raise MaximumSweeps, try the other
- * method, or refine there); a mesh that is not conforming; what vtkSurfaceFeatureFilter reports.
+ * method, or refine there); features of the mesh that are not those of the graph; a mesh that is
+ * not conforming; what vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> model units.
  *

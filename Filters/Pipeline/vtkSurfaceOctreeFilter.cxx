@@ -2,6 +2,8 @@
 #include "vtkSurfaceOctreeFilter.h"
 
 #include "DataConversion.h"
+#include "FeatureSizing.h"
+#include "StageFeatures.h"
 #include "SurfaceGeometry.h"
 #include "SurfaceSizing.h"
 
@@ -64,7 +66,6 @@ void vtkSurfaceOctreeFilter::RemoveAllRefinementPoints()
 featurehex::Status vtkSurfaceOctreeFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
-  this->WarnAboutFeatures(inputs[1]);
   this->PredictedNumberOfCells = 0;
   monitor.BeginPhase("checking the surface", 0.0, 0.2);
   SurfaceMesh checked;
@@ -103,6 +104,25 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
     sizing.MaximumSizingLevel = std::min(this->MaximumSizingLevel, this->MaximumLevel);
     points = ComputeSizing(surface.Mesh(), surface.Search(), sizing, monitor);
   }
+  if (this->FeatureSizing)
+  {
+    StageFeatures features;
+    status =
+      features.Read(surface.Mesh(), vtkPolyData::GetData(inputs[1]), options.TargetEdgeLength);
+    if (!status.Ok())
+    {
+      return status;
+    }
+    if (features.Any())
+    {
+      FeatureSizingOptions sizing;
+      sizing.TargetEdgeLength = options.TargetEdgeLength;
+      sizing.MaximumLevel = this->MaximumLevel;
+      const std::vector<RefinementPoint> near = ThinRefinementPoints(
+        ComputeFeatureSizing(features.Geometry(), sizing), options.TargetEdgeLength);
+      points.insert(points.end(), near.begin(), near.end());
+    }
+  }
   points.insert(points.end(), asked.begin(), asked.end());
 
   monitor.BeginPhase("building the octree", 0.7, 1.0);
@@ -129,6 +149,7 @@ void vtkSurfaceOctreeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CellsPerThickness: " << this->CellsPerThickness << "\n";
   os << indent << "CellsPerGap: " << this->CellsPerGap << "\n";
   os << indent << "MaximumSizingLevel: " << this->MaximumSizingLevel << "\n";
+  os << indent << "FeatureSizing: " << (this->FeatureSizing ? "on" : "off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "PredictedNumberOfCells: " << this->PredictedNumberOfCells << "\n";
 }

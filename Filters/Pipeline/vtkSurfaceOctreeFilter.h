@@ -4,16 +4,18 @@
  * @brief Octree of 2x2x2 blocks around a surface, ready to become hexes.
  *
  * Cells that meet the surface have the target edge length, or less where the solid or a gap is thin
- * (sizing) and where refinement points ask for it. Blocks are split as a whole (pairing) and
+ * (sizing), where sharp features are short or close to each other, and where refinement points ask
+ * for it. Blocks are split as a whole (pairing) and
  * neighbours differ by one level at most, across edges and vertices too (strong balance).
  *
  * <b>Input 0:</b> vtkPolyData, the surface (triangles, strips or polygons): closed, without
  * self-intersections; vtkSurfaceFeatureFilter says what that means.
  *
- * <b>Input 1 (optional):</b> vtkPolyData, feature graph. Not used yet: a warning says so.
+ * <b>Input 1 (optional):</b> vtkPolyData, feature graph: lines and vertices, points of the surface
+ * (output 1 of vtkSurfaceFeatureFilter, vtkFeatureGraphReader).
  *
- * <b>Input 2 (optional, repeatable):</b> vtkPolyData, refinement points as vtkHexDomainFilter and
- * vtkHexFittingFilter make them. Points: Level (wanted halvings of the target edge length; 1
+ * <b>Input 2 (optional, repeatable):</b> vtkPolyData, refinement points as vtkHexDomainFilter,
+ * vtkHexFeatureMappingFilter and vtkHexFittingFilter make them. Points: Level (wanted halvings of the target edge length; 1
  * without this array).
  *
  * <b>Output:</b> vtkUnstructuredGrid, the leaves as VTK_VOXEL (VTK_HEXAHEDRON where the axes are
@@ -26,7 +28,8 @@
  * <b>Guarantees:</b> every place that meets the surface has cells of the target edge length or
  * finer (exact triangle-box test); at least two cells of margin.
  *
- * <b>Errors:</b> what vtkSurfaceFeatureFilter reports; CellLimit (raise MaximumNumberOfCells or
+ * <b>Errors:</b> what vtkSurfaceFeatureFilter reports; points of the feature graph that are none of
+ * the surface; CellLimit (raise MaximumNumberOfCells or
  * TargetEdgeLength).
  *
  * <b>Units:</b> model units.
@@ -128,6 +131,16 @@ public:
 
   ///@{
   /**
+   * With a feature graph: smaller cells along curves that are short, form small loops, or run close
+   * to others that they don't meet. Default: on.
+   */
+  vtkSetMacro(FeatureSizing, bool);
+  vtkGetMacro(FeatureSizing, bool);
+  vtkBooleanMacro(FeatureSizing, bool);
+  ///@}
+
+  ///@{
+  /**
    * Details of the surface smaller than this count for nothing when thickness and gaps are
    * measured; fraction of the diagonal of the bounding box. Default: 0.005. Range: 0.00001 to 0.1.
    */
@@ -167,6 +180,7 @@ private:
   double CellsPerThickness = 2.0;
   double CellsPerGap = 1.0;
   int MaximumSizingLevel = 2;
+  bool FeatureSizing = true;
   double Tolerance = 0.005;
   vtkIdType PredictedNumberOfCells = 0;
 };

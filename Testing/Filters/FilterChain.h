@@ -8,12 +8,14 @@
 #include "FilterChecks.h"
 
 #include "vtkHexDomainFilter.h"
+#include "vtkHexFeatureMappingFilter.h"
 #include "vtkHexFittingFilter.h"
 #include "vtkHexPaddingFilter.h"
 #include "vtkHexUntangleFilter.h"
 #include "vtkHexValidationFilter.h"
 #include "vtkOctreeDualHexFilter.h"
 #include "vtkSurfaceFeatureFilter.h"
+#include "vtkSurfaceFileReader.h"
 #include "vtkSurfaceOctreeFilter.h"
 
 namespace FilterChecks
@@ -56,6 +58,67 @@ struct Chain
   vtkNew<vtkHexFittingFilter> Fitting;
   vtkNew<vtkHexValidationFilter> Validation;
 };
+
+/// With sharp features, by angle.
+struct FeatureChain : Chain
+{
+  explicit FeatureChain(vtkPolyData* input, double edge = 0.17, double tolerance = 0.02)
+    : Chain(input, edge, tolerance)
+  {
+    vtkAlgorithmOutput* graph = this->Surface->GetOutputPort(1);
+    this->Octree->SetInputConnection(1, graph);
+    this->Mapping->SetInputConnection(0, this->Domain->GetOutputPort(0));
+    this->Mapping->SetInputConnection(1, this->Surface->GetOutputPort(0));
+    this->Mapping->SetInputConnection(2, graph);
+    this->Padding->SetInputConnection(0, this->Mapping->GetOutputPort(0));
+    this->Padding->SetInputConnection(1, this->Surface->GetOutputPort(0));
+    this->Padding->SetInputConnection(2, graph);
+    this->Untangle->SetInputConnection(2, graph);
+    this->Fitting->SetInputConnection(2, graph);
+    this->Validation->SetInputConnection(2, graph);
+  }
+
+  /// Gives the octree what the other stages ask for, until they are content. @return rounds
+  int Refine(int maximum = 8)
+  {
+    vtkNew<vtkPolyData> none;
+    this->Octree->SetInputDataObject(2, none);
+    for (int round = 1; round < maximum; ++round)
+    {
+      vtkPolyData* wanted = nullptr;
+      for (vtkAlgorithm* stage :
+        { static_cast<vtkAlgorithm*>(this->Domain), static_cast<vtkAlgorithm*>(this->Mapping),
+          static_cast<vtkAlgorithm*>(this->Fitting) })
+      {
+        stage->Update();
+        wanted = vtkPolyData::SafeDownCast(stage->GetOutputDataObject(1));
+        if (wanted->GetNumberOfPoints() > 0)
+        {
+          break;
+        }
+      }
+      if (wanted->GetNumberOfPoints() == 0)
+      {
+        return round;
+      }
+      vtkNew<vtkPolyData> points;
+      points->DeepCopy(wanted);
+      this->Octree->AddInputDataObject(2, points);
+    }
+    return maximum;
+  }
+
+  vtkNew<vtkHexFeatureMappingFilter> Mapping;
+};
+
+/// A surface of Data/, by its path there.
+inline vtkSmartPointer<vtkPolyData> DataSurface(const std::string& path)
+{
+  vtkNew<vtkSurfaceFileReader> reader;
+  reader->SetFileName((FEATUREHEX_SOURCE_DIR "/Data/" + path).c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
 
 /// The result of @a filter in a chain as data of its own.
 template <typename DataSet>

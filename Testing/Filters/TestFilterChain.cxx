@@ -3,6 +3,8 @@
 #include "FilterChain.h"
 #include "vtkFeatureHexMesher.h"
 
+#include <algorithm>
+
 using namespace FilterChecks;
 
 namespace
@@ -61,6 +63,61 @@ TEST(FilterChain, OneRoundEqualsTheComposite)
       ASSERT_EQ(a->GetComponent(c, 0), b->GetComponent(c, 0)) << name << " " << c;
     }
   }
+}
+
+namespace
+{
+void ExpectFeatures(const char* surface, double edge, double corners, double curves)
+{
+  FeatureChain chain(DataSurface(surface), edge, 0.01);
+  EXPECT_LT(chain.Refine(), 8);
+  chain.Validation->Update();
+  vtkDataObject* mesh = chain.Validation->GetOutput();
+  EXPECT_EQ(Figure(mesh, "Valid"), 1.0)
+    << mesh->GetFieldData()->GetAbstractArray("Verdict")->GetVariantValue(0).ToString();
+  EXPECT_EQ(Figure(mesh, "CornersCaptured"), corners);
+  EXPECT_EQ(Figure(mesh, "CurvesCaptured"), curves);
+  EXPECT_EQ(Figure(mesh, "PatchesCaptured"), Figure(mesh, "PatchesEnforced"));
+}
+} // namespace
+
+TEST(FilterChain, CubeKeepsItsFeatures)
+{
+  ExpectFeatures("rotation/cube_xyz_25.obj", 0.1, 8, 12);
+}
+
+TEST(FilterChain, OneRoundWithFeaturesEqualsTheComposite)
+{
+  const auto cube = DataSurface("rotation/cube_xyz_25.obj");
+  FeatureChain chain(cube);
+  chain.Fitting->SetMinimumScaledJacobian(0.1);
+  chain.Validation->Update();
+  vtkNew<vtkFeatureHexMesher> mesher;
+  mesher->SetInputDataObject(0, cube);
+  mesher->SetFeatureModeToAngle();
+  mesher->SetTargetEdgeLength(0.17);
+  mesher->SetTolerance(0.02);
+  mesher->SetMinimumScaledJacobian(0.1);
+  mesher->Update();
+  ASSERT_EQ(Figure(mesher->GetOutput(), "Rounds"), 1.0);
+  auto* staged = vtkUnstructuredGrid::SafeDownCast(chain.Validation->GetOutput());
+  auto* whole = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutput());
+  ASSERT_EQ(staged->GetNumberOfPoints(), whole->GetNumberOfPoints());
+  ASSERT_EQ(staged->GetNumberOfCells(), whole->GetNumberOfCells());
+  double worst = 0;
+  for (vtkIdType p = 0; p < whole->GetNumberOfPoints(); ++p)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      worst = std::max(worst, std::abs(staged->GetPoint(p)[k] - whole->GetPoint(p)[k]));
+    }
+  }
+  EXPECT_EQ(worst, 0.0);
+}
+
+TEST(FilterChain, CylinderKeepsItsFeatures)
+{
+  ExpectFeatures("rotation/cylinder.obj", 0.2, 0, 2);
 }
 
 TEST(FilterChain, ALateChangeDoesNotRunEarlyStages)

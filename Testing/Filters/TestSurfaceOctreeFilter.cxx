@@ -139,3 +139,25 @@ TEST(SurfaceOctreeFilter, OneErrorForBadInput)
   ExpectSurfaceErrors(filter, 0);
   ExpectTypeErrors(filter);
 }
+
+TEST(SurfaceOctreeFilter, FeaturesThatAreShortOrCloseGetSmallerCells)
+{
+  FeatureChain chain(DataSurface("rotation/bracket.obj"), 0.9);
+  chain.Octree->SetThicknessSizing(false);
+  chain.Octree->Update();
+  const auto cells = [&] {
+    chain.Octree->Update();
+    return vtkUnstructuredGrid::SafeDownCast(chain.Octree->GetOutput())->GetNumberOfCells();
+  };
+  const vtkIdType with = cells();
+  chain.Octree->FeatureSizingOff();
+  const vtkIdType without = cells();
+  EXPECT_GT(with, without);
+  chain.Octree->FeatureSizingOn();
+  EXPECT_EQ(cells(), with);
+  chain.Octree->SetInputConnection(1, nullptr);
+  EXPECT_EQ(cells(), without);
+  FeatureChain other(DataSurface("rotation/cube_mixed.obj"));
+  chain.Octree->SetInputConnection(1, other.Surface->GetOutputPort(1));
+  ExpectFailure(chain.Octree, "surface");
+}
