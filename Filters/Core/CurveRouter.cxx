@@ -12,7 +12,7 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr Index CornerOwner = -2;
-constexpr double DistancePrice = 4.0; // of an edge one edge length away from the curve, per its length
+constexpr double DistancePrice = 2.0; // of an edge one edge length away from the curve, per its length
 constexpr double ArcSlack = 2.0;      // progress along the curve per edge length at most
 constexpr double SpokePrice = 1.0;    // edge lengths per dart away from the preferred one
 constexpr double ReservedPrice = 1.5; // edge lengths

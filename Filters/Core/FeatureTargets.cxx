@@ -8,7 +8,32 @@ namespace featurehex
 {
 namespace
 {
+constexpr int SpreadPasses = 3; // of averaging the arcs of the vertices before and after
 constexpr int WindowSteps = 4; // vertices before and after whose curve points bound the search
+
+/// Arcs in rising order, then averaged: vertices that crowd or have changed places get room.
+std::vector<double> SpreadArcs(std::vector<double> arcs, bool closed, double length)
+{
+  const std::size_t count = arcs.size();
+  if (!closed)
+  {
+    std::sort(arcs.begin(), arcs.end());
+  }
+  for (int pass = 0; pass < SpreadPasses; ++pass)
+  {
+    const std::vector<double> old = arcs;
+    for (std::size_t i = 1; i + 1 < count; ++i)
+    {
+      arcs[i] = 0.5 * old[i] + 0.25 * (old[i - 1] + old[i + 1]);
+    }
+    if (closed) // the first vertex is the last one, a length further
+    {
+      arcs[0] = 0.5 * old[0] + 0.25 * (old[count - 2] - length + old[1]);
+      arcs[count - 1] = arcs[0] + length;
+    }
+  }
+  return arcs;
+}
 }
 
 FeatureTargets::FeatureTargets(const FeatureGeometry& geometry, const HexFeatures& features,
@@ -37,7 +62,7 @@ FeatureTargets::FeatureTargets(const FeatureGeometry& geometry, const HexFeature
       {
         const double arc = length * static_cast<double>(i) / static_cast<double>(path.size() - 1);
         const double reach = 0.3 * length;
-        this->Windows[path[i]] = { arc - reach, arc + reach };
+        this->Windows[path[i]] = { arc - reach, arc + reach, arc };
       }
     }
   }
@@ -58,6 +83,13 @@ CurvePoint FeatureTargets::OnCurve(Index v, const Vec3& p) const
     window.To += curve.Length();
   }
   return curve.Closest(p, window.From, window.To);
+}
+
+double FeatureTargets::SpreadFrom(Index v, double arc) const
+{
+  const EnforcedCurve& curve = this->Geometry.Curves()[this->Labels.Id[v]];
+  const double ahead = this->Windows[v].Spread - arc;
+  return curve.Closed ? ahead - std::round(ahead / curve.Length()) * curve.Length() : ahead;
 }
 
 Vec3 FeatureTargets::Project(Index v, const Vec3& p) const
@@ -100,7 +132,12 @@ void FeatureTargets::FollowCurves(const std::vector<Vec3>& points)
         arcs[i] -= std::round((arcs[i] - arcs[i - 1]) / length) * length;
       }
     }
+    if (curve.Closed)
+    {
+      arcs[count - 1] = arcs[0] + length;
+    }
     const double step = length / (count - 1);
+    const std::vector<double> spread = SpreadArcs(arcs, curve.Closed, length);
     for (int i = 0; i < count; ++i)
     {
       if (this->KindOf(path[i]) == FeatureKind::Curve)
@@ -122,7 +159,7 @@ void FeatureTargets::FollowCurves(const std::vector<Vec3>& points)
           from = std::min(from, arcs[i] - step);
           to = std::max(to, arcs[i] + step);
         }
-        this->Windows[path[i]] = { from, to };
+        this->Windows[path[i]] = { from, to, spread[i] };
       }
     }
   }

@@ -35,6 +35,9 @@ public:
   /// Closest point of the curve of @a v near where it was before. Precondition: a curve vertex.
   CurvePoint OnCurve(Index v, const Vec3& p) const;
 
+  /// Length of the curve from @a arc to where the vertex would be if its path were spread more evenly; positive: ahead.
+  double SpreadFrom(Index v, double arc) const;
+
   /// The corner, or the closest point of the curve.
   Vec3 Project(Index v, const Vec3& p) const;
 
@@ -58,6 +61,7 @@ private:
   struct Window
   {
     double From = 0, To = 0;
+    double Spread = 0; ///< arc of the vertex if the path were spread more evenly
   };
 
   const FeatureGeometry& Geometry;

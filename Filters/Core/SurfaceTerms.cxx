@@ -10,6 +10,8 @@ namespace
 // Shares of the local size (recipe-pipeline 2.7).
 constexpr double NearSurface = 0.05; // closer: the smooth normal of the surface counts, not the direction
 constexpr double TargetReach = 0.5;  // targets are no farther than this
+constexpr double SpreadReach = 0.3;  // farthest pull along a curve
+constexpr double SpreadWeight = 20;  // of that pull
 constexpr double Tether = 0.02;      // weak pull to the closest point itself
 
 /// Plane through (or, when far, towards) the closest surface point of @a p.
@@ -105,10 +107,12 @@ SurfaceTerm SurfaceTerms::FeatureTerm(Index v, double size, double weight) const
   if (this->Features->KindOf(v) == FeatureKind::Curve)
   {
     const CurvePoint closest = this->Features->OnCurve(v, p);
-    term.Target = closest.Point;
+    const double ahead = std::clamp(this->Features->SpreadFrom(v, closest.Arc), -SpreadReach * size, SpreadReach * size);
+    const double share = std::min(1.0, SpreadWeight / weight);
+    term.Target = closest.Point + ahead * closest.Tangent;
     term.Normal = closest.Tangent;
-    term.Stiffness = -1;
-    term.Tether = 1 + Tether;
+    term.Stiffness = share - 1;
+    term.Tether = 1;
   }
   const Vec3 toTarget = term.Target - p;
   const double distance = toTarget.norm();
