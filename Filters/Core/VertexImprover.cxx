@@ -12,7 +12,7 @@ namespace featurehex
 {
 namespace
 {
-constexpr double LeastEdgeRatio = 0.2;
+constexpr double LeastRatioOnFeatures = 0.05; // of edges at a vertex that arrives on its feature
 constexpr double LongestStep = 0.3;      // of the mean or shortest edge
 constexpr double NearLimit = 0.6;       // share of the limit from which contacts are felt
 constexpr double DrawPullStart = 0.9;
@@ -426,7 +426,8 @@ double VertexImprover::EdgeRatio(Index vertex, const Vec3& position) const
 /// Halves the step until accept(position) and all hard checks hold; the vertex is moved or stays.
 template <typename Accept>
 bool VertexImprover::Search(
-  Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept)
+  Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept,
+  double leastRatio)
 {
   const auto hexes = this->Stars.Hexes[vertex];
   const double ratio = this->EdgeRatio(vertex, star.Position);
@@ -449,7 +450,7 @@ bool VertexImprover::Search(
       continue;
     }
     const double newRatio = this->EdgeRatio(vertex, position);
-    if (newRatio < LeastEdgeRatio && newRatio < ratio)
+    if (newRatio < leastRatio && newRatio < ratio)
     {
       continue;
     }
@@ -775,7 +776,7 @@ bool VertexImprover::Project(Index vertex, const SurfaceGeometry& surface, doubl
       }
     }
     return true;
-  });
+  }, onFeature ? LeastRatioOnFeatures : LeastEdgeRatio);
   // The whole step lands on the target, up to the rounding of one addition.
   const bool arrived =
     moved && (this->Mesh.Points[vertex] - target).norm() <= 1e-12 * surface.Diagonal();

@@ -65,6 +65,8 @@ public:
   double EdgeRatio(Index vertex, const Vec3& position) const;
 
 private:
+  static constexpr double LeastEdgeRatio = 0.2;
+
   struct Corner;
   struct Pull;
   struct Star;
@@ -82,7 +84,8 @@ private:
   void Gather(Index vertex, Star& star) const;
   void GatherPulls(Index vertex, double threshold, Star& star);
   template <typename Accept>
-  bool Search(Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept);
+  bool Search(Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept,
+    double leastRatio = LeastEdgeRatio);
 
   HexMesh& Mesh;
   const HexStars& Stars;
