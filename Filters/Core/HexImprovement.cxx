@@ -18,6 +18,8 @@ constexpr double LeastGain = 1e-3;
 constexpr int DrawSweeps = 40;
 constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
+constexpr int OtherSweeps = 12;
+constexpr double AcceptableShare = 0.8; // of the target: what may be given up for the surface
 constexpr int AverageSweeps = 5;
 constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
@@ -137,6 +139,20 @@ public:
       {
         return;
       }
+    }
+  }
+
+  /// The same for all hexes below the target, whatever the minimum: a few that are stuck don't hold up the others.
+  void RaiseOthers(double target)
+  {
+    for (int sweep = 0; sweep < OtherSweeps && this->Progress.Update(this->Fraction); ++sweep)
+    {
+      this->ChooseBelow(target);
+      if (!this->Sweep([this](Index v) { return this->Vertices.RaiseMinimum(v); }))
+      {
+        return;
+      }
+      this->UpdateQualities();
     }
   }
 
@@ -316,8 +332,15 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     last = minimum;
     ++report.Rounds;
   }
-  improvement.RaiseAverage(std::min(target, improvement.Minimum()));
-  report.OnSurface = improvement.Project(std::min(target, improvement.Minimum()));
+  if (improvement.Minimum() < target)
+  {
+    improvement.RaiseOthers(target);
+  }
+  // A few stuck hexes are no licence to make others as bad.
+  const double floor =
+    std::min(target, std::max(improvement.Minimum(), AcceptableShare * target));
+  improvement.RaiseAverage(floor);
+  report.OnSurface = improvement.Project(floor);
   envelope.Rebuild();
   improvement.DrawInside();
   if (monitor.Stopped())
