@@ -69,7 +69,7 @@ namespace
 {
 void ExpectFeatures(const char* surface, double edge, double corners, double curves)
 {
-  FeatureChain chain(DataSurface(surface), edge, 0.01);
+  FeatureChain chain(DataSurface(surface), edge);
   EXPECT_LT(chain.Refine(), 8);
   chain.Validation->Update();
   vtkDataObject* mesh = chain.Validation->GetOutput();
@@ -81,21 +81,21 @@ void ExpectFeatures(const char* surface, double edge, double corners, double cur
 }
 } // namespace
 
-TEST(FilterChain, CubeKeepsItsFeatures)
+TEST(FilterChain, BracketKeepsItsFeatures)
 {
-  ExpectFeatures("rotation/cube_xyz_25.obj", 0.1, 8, 12);
+  ExpectFeatures("rotation/bracket.obj", 0.3, 20, 30);
 }
 
 TEST(FilterChain, OneRoundWithFeaturesEqualsTheComposite)
 {
-  const auto cube = DataSurface("rotation/cube_xyz_25.obj");
-  FeatureChain chain(cube);
+  const auto bracket = DataSurface("rotation/bracket.obj");
+  FeatureChain chain(bracket, 0.3);
   chain.Fitting->SetMinimumScaledJacobian(0.1);
   chain.Validation->Update();
   vtkNew<vtkFeatureHexMesher> mesher;
-  mesher->SetInputDataObject(0, cube);
+  mesher->SetInputDataObject(0, bracket);
   mesher->SetFeatureModeToAngle();
-  mesher->SetTargetEdgeLength(0.17);
+  mesher->SetTargetEdgeLength(0.3);
   mesher->SetTolerance(0.02);
   mesher->SetMinimumScaledJacobian(0.1);
   mesher->Update();

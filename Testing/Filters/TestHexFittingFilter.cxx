@@ -53,6 +53,12 @@ TEST(HexFittingFilter, GoodCitizen)
   ExpectGoodCitizen(chain.Fitting);
 }
 
+TEST(HexFittingFilter, GoodCitizenWithFeatures)
+{
+  FeatureChain chain(DataSurface("rotation/cube_xyz_25.obj"));
+  ExpectGoodCitizen(chain.Fitting);
+}
+
 TEST(HexFittingFilter, OneErrorForBadInput)
 {
   vtkNew<vtkHexFittingFilter> filter;

@@ -38,6 +38,12 @@ TEST(HexPaddingFilter, GoodCitizen)
   ExpectGoodCitizen(chain.Padding);
 }
 
+TEST(HexPaddingFilter, GoodCitizenWithFeatures)
+{
+  FeatureChain chain(DataSurface("rotation/cube_xyz_25.obj"));
+  ExpectGoodCitizen(chain.Padding);
+}
+
 TEST(HexPaddingFilter, OneErrorForBadInput)
 {
   Chain chain(Sphere());

@@ -53,6 +53,12 @@ TEST(HexUntangleFilter, GoodCitizen)
   ExpectGoodCitizen(chain.Untangle);
 }
 
+TEST(HexUntangleFilter, GoodCitizenWithFeatures)
+{
+  FeatureChain chain(DataSurface("rotation/cube_xyz_25.obj"));
+  ExpectGoodCitizen(chain.Untangle);
+}
+
 TEST(HexUntangleFilter, OneErrorForBadInput)
 {
   vtkNew<vtkHexUntangleFilter> filter;

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pvpython examples run: the composite, and stage by stage; both give a valid mesh."""
+"""The pvpython examples run: the composite, and stage by stage, also with sharp edges; all give a
+valid mesh."""
 import os
 import runpy
 import sys
@@ -8,9 +9,11 @@ import tempfile
 from paraview.simple import OpenDataFile
 
 source = os.environ["FEATUREHEX_SOURCE_DIR"]
-surface = os.path.join(source, "Data", "sphere.stl")
+data = os.path.join(source, "Data")
 with tempfile.TemporaryDirectory() as folder:
-    for name in ("composite", "stages"):
+    for name, surface in (("composite", "sphere.stl"), ("stages", "sphere.stl"),
+                          ("stages", os.path.join("rotation", "bracket.obj"))):
+        surface = os.path.join(data, surface)
         mesh = os.path.join(folder, name + ".vtu")
         script = os.path.join(source, "Wrapping", "Python", "examples", name + ".py")
         sys.argv = [script, os.environ["FEATUREHEX_PLUGIN"], surface, mesh]
