@@ -103,9 +103,11 @@ CurvePoint EnforcedCurve::Closest(const Vec3& p, double from, double to) const
 }
 
 FeatureGeometry::FeatureGeometry(
-  const SurfaceMesh& surface, const SurfaceFeatures& features, double trim)
+  const SurfaceMesh& surface, const SurfaceFeatures& features, double trim,
+  const GivenUpFeatures& givenUp)
   : Mesh(surface)
   , Graph(features)
+  , GivenUp(givenUp)
 {
   this->MergePatches();
   this->BuildCurves(trim);
@@ -116,6 +118,10 @@ FeatureGeometry::FeatureGeometry(
 void FeatureGeometry::MergePatches()
 {
   DisjointSets sets(this->Graph.NumberOfPatches);
+  for (Index c : this->GivenUp.Curves)
+  {
+    sets.Join(this->Graph.Curves[c].LeftPatch, this->Graph.Curves[c].RightPatch);
+  }
   for (const FeatureCurve& curve : this->Graph.Curves)
   {
     for (Index corner : { curve.FirstCorner, curve.LastCorner })
@@ -153,7 +159,9 @@ void FeatureGeometry::BuildCurves(double trim)
     const double from = cutFirst ? trim : 0.0;
     const double to = length - (cutLast ? trim : 0.0);
     // What is left of a cut curve must be worth following.
-    if (to - from >= (cutFirst || cutLast ? trim : 0.0))
+    const bool givenUp =
+      this->GivenUp.Curves.count(static_cast<Index>(this->EnforcedCurves.size())) > 0;
+    if (!givenUp && to - from >= (cutFirst || cutLast ? trim : 0.0))
     {
       enforced.Points = cutFirst || cutLast ? Cut(points, from, to) : points;
       double arc = 0;

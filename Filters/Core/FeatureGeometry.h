@@ -9,6 +9,7 @@
 #include "SurfaceGeometry.h"
 
 #include <memory>
+#include <set>
 
 namespace featurehex
 {
@@ -51,19 +52,31 @@ struct CornerFan
   double FullAngle = 0.0; ///< sum of the triangle angles round the corner
 };
 
+/// Features that no mesh of this run could reproduce.
+struct GivenUpFeatures
+{
+  std::set<Index> Corners, Curves;
+  bool Empty() const { return this->Corners.empty() && this->Curves.empty(); }
+};
+
 /// Prepared once for a surface and its features; const queries may run in parallel.
 class FeatureGeometry
 {
 public:
   /// @a trim: length (model units) by which curves are cut short at corners that are not enforced. The
-  /// patches round such a corner are merged: nothing separates them there.
-  FeatureGeometry(const SurfaceMesh& surface, const SurfaceFeatures& features, double trim);
+  /// patches round such a corner are merged: nothing separates them there; so are those beside a curve that is
+  /// given up. @a givenUp: corners and curves that are not enforced although they have no flaw.
+  FeatureGeometry(const SurfaceMesh& surface, const SurfaceFeatures& features, double trim,
+    const GivenUpFeatures& givenUp = GivenUpFeatures());
 
   const SurfaceMesh& Surface() const { return this->Mesh; }
   const SurfaceFeatures& Features() const { return this->Graph; }
   const std::vector<EnforcedCurve>& Curves() const { return this->EnforcedCurves; }
   const std::vector<CornerFan>& Fans() const { return this->CornerFans; }
-  bool Enforced(Index corner) const { return this->Graph.Corners[corner].Valid(); }
+  bool Enforced(Index corner) const
+  {
+    return this->Graph.Corners[corner].Valid() && this->GivenUp.Corners.count(corner) == 0;
+  }
   const Vec3& CornerPoint(Index corner) const
   {
     return this->Mesh.Points[this->Graph.Corners[corner].Point];
@@ -81,6 +94,7 @@ private:
 
   const SurfaceMesh& Mesh;
   const SurfaceFeatures& Graph;
+  GivenUpFeatures GivenUp;
   std::vector<int> MergedPatch;
   std::vector<EnforcedCurve> EnforcedCurves;
   std::vector<CornerFan> CornerFans;

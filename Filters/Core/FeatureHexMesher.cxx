@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <memory>
 #include <sstream>
 
@@ -30,6 +31,7 @@ constexpr double FarFromOrigin = 100;    // diagonals
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
+constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
 constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
 constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
@@ -105,6 +107,7 @@ private:
   Outcome RunRound(int round, Status& status);
   Outcome BuildDomain(Status& status);
   Outcome MapFeatures(Status& status);
+  bool GiveUpFeatures();
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
@@ -125,6 +128,8 @@ private:
   std::unique_ptr<SurfaceGeometry> Surface;
   WindingNumber Winding;
   std::unique_ptr<FeatureGeometry> Geometry; ///< null without features
+  GivenUpFeatures GivenUp;
+  std::map<std::pair<int, Index>, int> MappingFailures; ///< rounds in which a feature (kind, id) failed
   std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
@@ -394,6 +399,36 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   return Outcome::Done;
 }
 
+/// Features that failed in several rounds are not enforced any more: a mesh without them, which says so, is worth more
+/// than none. True: there are such.
+bool Mesher::GiveUpFeatures()
+{
+  const std::size_t before = this->GivenUp.Corners.size() + this->GivenUp.Curves.size();
+  for (const MappingFailure& failure : this->Mapping.Failures)
+  {
+    const auto key = std::make_pair(static_cast<int>(failure.Kind), failure.Id);
+    if (++this->MappingFailures[key] < PatientRounds)
+    {
+      continue;
+    }
+    if (failure.Kind == FeatureKind::Corner)
+    {
+      this->GivenUp.Corners.insert(failure.Id);
+    }
+    for (Index c = 0; c < static_cast<Index>(this->Result.SurfaceGraph.Curves.size()); ++c)
+    {
+      const FeatureCurve& curve = this->Result.SurfaceGraph.Curves[c];
+      if ((failure.Kind == FeatureKind::Curve && failure.Id == c) ||
+        (failure.Kind == FeatureKind::Surface &&
+          (curve.LeftPatch == failure.Id || curve.RightPatch == failure.Id)))
+      {
+        this->GivenUp.Curves.insert(c);
+      }
+    }
+  }
+  return this->GivenUp.Corners.size() + this->GivenUp.Curves.size() > before;
+}
+
 Mesher::Outcome Mesher::MapFeatures(Status& status)
 {
   if (!this->Geometry)
@@ -411,6 +446,12 @@ Mesher::Outcome Mesher::MapFeatures(Status& status)
   if (this->Mapping.Complete())
   {
     return Outcome::Done;
+  }
+  if (this->GiveUpFeatures())
+  {
+    this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
+      this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
+    return this->MapFeatures(status);
   }
   std::vector<Vec3> places;
   for (const MappingFailure& failure : this->Mapping.Failures)

@@ -63,9 +63,9 @@ private:
     return quads;
   }
 
-  void Fail(const std::string& reason, std::vector<Vec3> places)
+  void Fail(FeatureKind kind, Index id, const std::string& reason, std::vector<Vec3> places)
   {
-    this->Result.Failures.push_back({ reason, std::move(places) });
+    this->Result.Failures.push_back({ kind, id, reason, std::move(places) });
   }
   void AddCandidates(Index corner, double reach, std::vector<Candidate>& candidates) const;
   std::vector<Vec3> PlacesAlong(Index curve) const;
@@ -146,7 +146,7 @@ void Mapper::PlaceCorners()
     if (this->Geometry.Enforced(static_cast<Index>(c)) && vertices[c] < 0)
     {
       const Vec3& p = this->Geometry.CornerPoint(static_cast<Index>(c));
-      this->Fail("Corner " + std::to_string(c) + " at " + At(p) + " with " +
+      this->Fail(FeatureKind::Corner, static_cast<Index>(c), "Corner " + std::to_string(c) + " at " + At(p) + " with " +
           std::to_string(this->Geometry.Fans()[c].Spokes.size()) +
           " curves has no free vertex with as many edges near it",
         { p });
@@ -192,7 +192,7 @@ void Mapper::TraceCurves()
     if (cornersPlaced)
     {
       const std::vector<Vec3>& contested = this->Router.ContestedPlaces(c);
-      this->Fail("Curve " + std::to_string(c) + " from " + At(curve.Points.front()) + " to " +
+      this->Fail(FeatureKind::Curve, c, "Curve " + std::to_string(c) + " from " + At(curve.Points.front()) + " to " +
           At(curve.Points.back()) + " finds no way between the others",
         contested.empty() ? this->PlacesAlong(c) : contested);
     }
@@ -285,7 +285,7 @@ void Mapper::MatchPatches()
   {
     if (patchOfPiece[key.first] != key.second)
     {
-      this->Fail("Curve " + std::to_string(vote.second) + " bounds patch " +
+      this->Fail(FeatureKind::Curve, vote.second, "Curve " + std::to_string(vote.second) + " bounds patch " +
           std::to_string(key.second) + ", its path a piece of patch " +
           std::to_string(patchOfPiece[key.first]),
         this->PlacesAlong(vote.second));
@@ -327,7 +327,7 @@ void Mapper::MatchPatches()
       else
       {
         patchOfPiece[pieces[q]] = -1;
-        this->Fail("A piece of the interface at " + At(this->Center(q)) + " belongs to no patch",
+        this->Fail(FeatureKind::Surface, -1, "A piece of the interface at " + At(this->Center(q)) + " belongs to no patch",
           { this->Center(q) });
       }
     }
@@ -338,7 +338,7 @@ void Mapper::MatchPatches()
     if (this->Geometry.PatchOf(patch) == patch && count != 1)
     {
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
-      this->Fail("Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
+      this->Fail(FeatureKind::Surface, patch, "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
           (count == 0 ? "no quads" : std::to_string(count) + " pieces"),
         places);
     }

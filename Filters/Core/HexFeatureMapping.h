@@ -28,6 +28,8 @@ struct FeatureMappingOptions
 /// One feature that could not be mapped.
 struct MappingFailure
 {
+  FeatureKind Kind = FeatureKind::Interior; ///< Corner, Curve, or Surface: a patch
+  Index Id = -1;
   std::string Reason; ///< a sentence that names the feature
   std::vector<Vec3> Places; ///< where finer cells would help
 };
