@@ -43,7 +43,11 @@ public:
   std::vector<Index> Groups(LocalPaddingReport& report) const;
 
 private:
+  template <typename Visitor>
+  void VisitSectors(const Visitor& visit) const;
   bool Degenerate(Index incoming, Index outgoing) const;
+  void ChooseCrowded(std::vector<char>& chosen) const;
+  bool CompleteSectors(std::vector<char>& chosen) const;
   double SectorAngle(Index corner, Index outgoing, Index incoming) const;
 
   const HexStars& Stars;
@@ -90,6 +94,66 @@ bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
     this->Options.WidestAngle;
 }
 
+/// Visits (first dart, quads) of each sector: the quads between two consecutive feature edges at a vertex, on the
+/// left of the first.
+template <typename Visitor>
+void DegenerateQuads::VisitSectors(const Visitor& visit) const
+{
+  std::vector<Index> quads;
+  for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
+  {
+    if (this->CurveOfDart[d] < 0)
+    {
+      continue;
+    }
+    quads.clear();
+    Index next = d;
+    do
+    {
+      quads.push_back(next / 4);
+      next = this->Graph.Rotate(next);
+    } while (this->CurveOfDart[next] < 0);
+    visit(d, quads, this->Graph.Opposite(next));
+  }
+}
+
+/// Many quads in a narrow sector: after padding there are two, and the crowd is round a free vertex.
+void DegenerateQuads::ChooseCrowded(std::vector<char>& chosen) const
+{
+  this->VisitSectors([&](Index outgoing, const std::vector<Index>& quads, Index incoming) {
+    const Index v = this->Graph.Tail(outgoing);
+    const double angle = this->Labels.Kind[v] == FeatureKind::Corner
+      ? this->SectorAngle(this->Labels.Id[v], outgoing, incoming) * Degrees
+      : 180.0;
+    if (quads.size() > 2 && angle > 0 && angle < this->Options.NarrowestAngle * quads.size())
+    {
+      for (Index q : quads)
+      {
+        chosen[q] = 1;
+      }
+    }
+  });
+}
+
+/// A group that takes some quads of a sector would add one to those left: it takes all. False: nothing to do.
+bool DegenerateQuads::CompleteSectors(std::vector<char>& chosen) const
+{
+  bool changed = false;
+  this->VisitSectors([&](Index, const std::vector<Index>& quads, Index) {
+    const auto taken = std::count_if(
+      quads.begin(), quads.end(), [&](Index q) { return chosen[q] != 0; });
+    if (quads.size() > 2 && taken > 0 && taken < static_cast<std::ptrdiff_t>(quads.size()))
+    {
+      changed = true;
+      for (Index q : quads)
+      {
+        chosen[q] = 1;
+      }
+    }
+  });
+  return changed;
+}
+
 std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
 {
   const Index count = static_cast<Index>(this->Stars.Quads.size());
@@ -117,6 +181,10 @@ std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
         }
       }
     }
+  }
+  this->ChooseCrowded(chosen);
+  while (this->CompleteSectors(chosen))
+  {
   }
   DisjointSets sets(count);
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)

@@ -16,6 +16,8 @@ struct LocalPaddingOptions
 {
   /// A quad corner between two feature edges that will get a wider angle than this, degrees, is degenerate.
   double WidestAngle = 135.0;
+  /// Three quads or more between two feature edges that would get narrower angles than this are padded, too.
+  double NarrowestAngle = 50.0;
   /// Of the layers: share of the way to the centres of the hexes.
   double Thickness = 0.25;
 };
