@@ -20,7 +20,8 @@ constexpr int PatientSweeps = 6;   // without success
 
 constexpr int ForceRings[] = { 3, 5 }; // neighbourhood that gives way to a trapped vertex
 constexpr int ForceSweeps = 40;
-constexpr int CertifySweeps = 10; // to make untangled hexes valid over their whole volume
+constexpr int CertifySweeps = 20; // to make untangled hexes valid over their whole volume
+constexpr double LeastForcedQuality = 0.03; // scaled Jacobian: what is flatter than this, no improvement opens
 
 /// The parts of SnapFeatures() with what they share.
 class Snapper
@@ -144,8 +145,10 @@ double Snapper::LeastDeterminant(const Region& region) const
 
 bool Snapper::Certified(const Region& region) const
 {
-  return std::all_of(region.Hexes.begin(), region.Hexes.end(),
-    [this](Index h) { return LeastBezierCoefficient(this->Mesh, h) > 0; });
+  return std::all_of(region.Hexes.begin(), region.Hexes.end(), [this](Index h) {
+    return LeastBezierCoefficient(this->Mesh, h) > 0 &&
+      LeastScaledJacobian(this->Mesh, h) > LeastForcedQuality;
+  });
 }
 
 bool Snapper::Untangle(const Region& region)

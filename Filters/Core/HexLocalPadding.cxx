@@ -42,12 +42,16 @@ public:
   /// Group of each boundary quad, 1 and up; 0: not padded.
   std::vector<Index> Groups(LocalPaddingReport& report) const;
 
+  /// For face f of hex h at [6 h + f]: it stands under a feature edge.
+  std::vector<char> FacesUnderCurves(const HexMesh& mesh) const;
+
 private:
   template <typename Visitor>
   void VisitSectors(const Visitor& visit) const;
   bool Degenerate(Index incoming, Index outgoing) const;
   void ChooseCrowded(std::vector<char>& chosen) const;
   bool CompleteSectors(std::vector<char>& chosen) const;
+  void LeaveFreeEnds(std::vector<char>& chosen) const;
   double SectorAngle(Index corner, Index outgoing, Index incoming) const;
 
   const HexStars& Stars;
@@ -113,7 +117,10 @@ void DegenerateQuads::VisitSectors(const Visitor& visit) const
       quads.push_back(next / 4);
       next = this->Graph.Rotate(next);
     } while (this->CurveOfDart[next] < 0);
-    visit(d, quads, this->Graph.Opposite(next));
+    if (next != d) // the free end of a curve has no sectors
+    {
+      visit(d, quads, this->Graph.Opposite(next));
+    }
   }
 }
 
@@ -154,6 +161,60 @@ bool DegenerateQuads::CompleteSectors(std::vector<char>& chosen) const
   return changed;
 }
 
+/// A group that goes round the free end of a curve would fold its ring there: what isn't beside the curve stays out.
+void DegenerateQuads::LeaveFreeEnds(std::vector<char>& chosen) const
+{
+  for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
+  {
+    Index next = this->Graph.Rotate(d);
+    while (this->CurveOfDart[next] < 0 && next != d)
+    {
+      next = this->Graph.Rotate(next);
+    }
+    if (this->CurveOfDart[d] < 0 || next != d)
+    {
+      continue;
+    }
+    const Index right = this->Graph.Opposite(d) / 4;
+    for (next = this->Graph.Rotate(d); next != d; next = this->Graph.Rotate(next))
+    {
+      if (next / 4 != right)
+      {
+        chosen[next / 4] = 0;
+      }
+    }
+  }
+}
+
+std::vector<char> DegenerateQuads::FacesUnderCurves(const HexMesh& mesh) const
+{
+  std::vector<char> under(6 * mesh.Hexes.size(), 0);
+  for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
+  {
+    if (this->CurveOfDart[d] < 0)
+    {
+      continue;
+    }
+    const Index owner = this->Stars.QuadOwners[d / 4];
+    const Quad& quad = this->Stars.Quads[d / 4];
+    for (int f = 0; f < 6; ++f)
+    {
+      bool tail = false;
+      bool head = false;
+      int ofQuad = 0;
+      for (int k : HexFaces[f])
+      {
+        const Index v = mesh.Hexes[owner][k];
+        tail = tail || v == this->Graph.Tail(d);
+        head = head || v == this->Graph.Head(d);
+        ofQuad += std::find(quad.begin(), quad.end(), v) != quad.end() ? 1 : 0;
+      }
+      under[6 * owner + f] = under[6 * owner + f] || (tail && head && ofQuad == 2);
+    }
+  }
+  return under;
+}
+
 std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
 {
   const Index count = static_cast<Index>(this->Stars.Quads.size());
@@ -186,6 +247,7 @@ std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
   while (this->CompleteSectors(chosen))
   {
   }
+  this->LeaveFreeEnds(chosen);
   DisjointSets sets(count);
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
@@ -213,11 +275,13 @@ std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
 class Pillow
 {
 public:
+  /// @a walls: as FacesUnderCurves(): hexes of one group are shrunk away from each other there, too.
   Pillow(PaddedMesh& padded, const HexStars& stars, const std::vector<Index>& groupOfHex,
-    double thickness)
+    const std::vector<char>& walls, double thickness)
     : Padded(padded)
     , Stars(stars)
     , Groups(groupOfHex)
+    , Walls(walls)
     , Thickness(thickness)
     , Neighbors(FaceNeighbors(padded.Mesh.Hexes, stars.Hexes))
   {
@@ -229,7 +293,8 @@ private:
   bool OnHull(Index hex, int face) const
   {
     const Index other = this->Neighbors[hex][face];
-    return other >= 0 && this->Groups[other] != this->Groups[hex];
+    return other >= 0 &&
+      (this->Groups[other] != this->Groups[hex] || this->Walls[6 * hex + face]);
   }
   void CopyVertex(Index v);
   Vec3 Center(Index hex) const;
@@ -237,6 +302,7 @@ private:
   PaddedMesh& Padded;
   const HexStars& Stars;
   const std::vector<Index>& Groups;
+  const std::vector<char>& Walls;
   double Thickness;
   std::vector<std::array<Index, 6>> Neighbors;
   std::vector<std::array<Index, 8>> Copies; ///< of each hex: its vertices afterwards
@@ -383,8 +449,8 @@ LocalPaddingReport PadDegenerateQuads(PaddedMesh& padded, HexFeatures& features,
 {
   LocalPaddingReport report;
   const HexStars stars(padded.Mesh);
-  const std::vector<Index> groups =
-    DegenerateQuads(stars, features, geometry, options).Groups(report);
+  const DegenerateQuads degenerate(stars, features, geometry, options);
+  const std::vector<Index> groups = degenerate.Groups(report);
   if (report.Regions == 0)
   {
     return report;
@@ -400,7 +466,8 @@ LocalPaddingReport PadDegenerateQuads(PaddedMesh& padded, HexFeatures& features,
     patchOfSource[source] = features.PatchOfQuad[q];
   }
   const std::size_t before = padded.Mesh.Hexes.size();
-  Pillow(padded, stars, groupOfHex, options.Thickness).Apply();
+  Pillow(padded, stars, groupOfHex, degenerate.FacesUnderCurves(padded.Mesh), options.Thickness)
+    .Apply();
   report.AddedHexes = static_cast<Index>(padded.Mesh.Hexes.size() - before);
 
   const std::vector<Index> rank = OrderInSpace(padded);
