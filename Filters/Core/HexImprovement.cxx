@@ -20,6 +20,7 @@ constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
 constexpr int OtherSweeps = 12;
 constexpr double AcceptableShare = 0.8; // of the target: what may be given up for the surface
+constexpr int CertifySweeps = 20;
 constexpr int AverageSweeps = 5;
 constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
@@ -111,6 +112,33 @@ public:
       }
     }
     this->Envelope.Measure(limit);
+    this->UpdateQualities();
+  }
+
+  /// The fit looks at the corners of hexes only: relaxes those that are not valid over their whole volume. Where
+  /// that fails, feature vertices are let go.
+  void Certify()
+  {
+    std::vector<Index> suspects = this->Uncertified();
+    for (int sweep = 0; sweep < CertifySweeps && !suspects.empty(); ++sweep)
+    {
+      std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
+      for (Index h : suspects)
+      {
+        for (Index v : this->Mesh.Hexes[h])
+        {
+          this->Chosen[v] = 1;
+          if (this->Options.Features && sweep == CertifySweeps / 2)
+          {
+            this->Options.Features->Unlock(v);
+          }
+        }
+      }
+      this->Sweep([this](Index v) { return this->Vertices.DrawInside(v, DrawWeight); });
+      suspects.erase(std::remove_if(suspects.begin(), suspects.end(),
+                       [this](Index h) { return LeastBezierCoefficient(this->Mesh, h) > 0; }),
+        suspects.end());
+    }
     this->UpdateQualities();
   }
 
@@ -243,6 +271,23 @@ public:
   void SetFraction(double fraction) { this->Fraction = fraction; }
 
 private:
+  std::vector<Index> Uncertified() const
+  {
+    std::vector<char> bad(this->Mesh.Hexes.size());
+    ParallelFor(bad.size(), 1024, [&](std::size_t h) {
+      bad[h] = !(LeastBezierCoefficient(this->Mesh, static_cast<Index>(h)) > 0);
+    });
+    std::vector<Index> hexes;
+    for (std::size_t h = 0; h < bad.size(); ++h)
+    {
+      if (bad[h])
+      {
+        hexes.push_back(static_cast<Index>(h));
+      }
+    }
+    return hexes;
+  }
+
   void UpdateQualities()
   {
     ParallelFor(this->Mesh.Hexes.size(), 1024, [this](std::size_t h) {
@@ -296,6 +341,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   }
   Improvement improvement(mesh, stars, surface, envelope, options, monitor);
   report.MinimumBefore = report.MinimumAfter = improvement.Minimum();
+  improvement.Certify();
   improvement.DrawInside();
   report.Distance = improvement.Distance();
   report.OffFeatures = improvement.SnapFeatures();
