@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Picture of a hex mesh cut open, with visible cell edges, coloured by the scaled Jacobian."""
+"""Picture of a hex mesh cut open, with visible cell edges, coloured by the scaled Jacobian; sharp
+features of the mesh are lines. Or of a surface with its feature graph."""
 import argparse
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401  registers the factories of the renderer
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+    vtkActor, vtkMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
 
 # From violet (0) through red and yellow to green and blue (1): bad cells stand out.
 COLORS = [(0.40, 0.00, 0.40), (0.75, 0.05, 0.15), (0.90, 0.40, 0.10), (0.98, 0.80, 0.25),
@@ -71,6 +74,138 @@ def cut_open(mesh, axis, position, sign):
     return extract.GetOutput()
 
 
+def feature_lines(points, edges, corners):
+    """Polydata of lines and vertices. edges: pairs of point ids; corners: point ids."""
+    lines, vertices = vtkCellArray(), vtkCellArray()
+    for edge in edges:
+        lines.InsertNextCell(2, edge)
+    for corner in corners:
+        vertices.InsertNextCell(1, [corner])
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetLines(lines)
+    result.SetVerts(vertices)
+    return result
+
+
+def features_of(mesh, part):
+    """Feature edges and corners of the mesh that are in the part of it."""
+    edges = mesh.GetFieldData().GetArray("FeatureEdges")
+    if not edges:
+        return feature_lines(mesh.GetPoints(), [], [])
+    kinds = mesh.GetPointData().GetArray("FeatureKind")
+    # A part has copies of the points.
+    kept = {part.GetPoint(i) for i in range(part.GetNumberOfPoints())}
+    pairs = [[int(id) for id in edges.GetTuple(i)[:2]] for i in range(edges.GetNumberOfTuples())]
+    pairs = [pair for pair in pairs if all(mesh.GetPoint(id) in kept for id in pair)]
+    corners = [i for i in range(mesh.GetNumberOfPoints())
+               if kinds.GetValue(i) == 3 and mesh.GetPoint(i) in kept]
+    return feature_lines(mesh.GetPoints(), pairs, corners)
+
+
+def read_features(path, surface):
+    """A .fgraph file: Filters/Documentation/formats.md."""
+    with open(path, encoding="utf-8") as file:
+        numbers = [int(word) for line in file.readlines()[1:] for word in line.split()]
+    corners, edges = numbers[0], numbers[1]
+    ends = numbers[2 + corners:2 + corners + 2 * edges]
+    return feature_lines(surface.GetPoints(), list(zip(ends[::2], ends[1::2])),
+                         numbers[2:2 + corners])
+
+
+def read(path, reader):
+    reader.SetFileName(path)
+    reader.Update()
+    if reader.GetOutput().GetNumberOfCells() == 0:
+        raise RuntimeError(f"{path}: no cells")
+    return reader.GetOutput()
+
+
+def actor_of(data):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.15)
+    actor.GetProperty().SetAmbient(0.35)
+    actor.GetProperty().SetDiffuse(0.7)
+    return actor
+
+
+def feature_actor(lines, pixels):
+    actor = actor_of(lines)
+    # In front of the faces beside them, but behind those farther in front.
+    actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4)
+    actor.GetMapper().SetRelativeCoincidentTopologyPointOffsetParameter(-8)
+    appearance = actor.GetProperty()
+    appearance.SetColor(0.85, 0.0, 0.45)
+    appearance.LightingOff()
+    appearance.SetLineWidth(max(2, pixels / 200))
+    appearance.SetPointSize(max(5, pixels / 65))
+    appearance.RenderPointsAsSpheresOn()
+    return actor
+
+
+def color_bar(table, pixels):
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetTitle("scaled\nJacobian")
+    bar.SetNumberOfLabels(6)
+    bar.SetLabelFormat("%.1f")
+    bar.SetVerticalTitleSeparation(8)
+    bar.SetPosition(0.87, 0.05)
+    bar.SetWidth(0.12)
+    bar.SetHeight(0.4)
+    bar.UnconstrainedFontSizeOn()
+    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        text.SetColor(0, 0, 0)
+        text.SetFontSize(max(8, pixels // 50))
+        text.BoldOff()
+        text.ShadowOff()
+        text.ItalicOff()
+    return bar
+
+
+def add_mesh(renderer, options, sign):
+    """Returns what is shown of the mesh, and the box of all of it."""
+    mesh = with_quality(read(options.mesh, vtkXMLUnstructuredGridReader()))
+    part = cut_open(mesh, options.axis, options.position, sign)
+    if part.GetNumberOfCells() == 0:
+        raise RuntimeError("no cells on this side of the cut")
+    # The producer is kept alive by this name: a pipeline of temporaries crashes.
+    producer = vtkTrivialProducer()
+    producer.SetOutput(part)
+    surface = vtkGeometryFilter()
+    surface.SetInputConnection(producer.GetOutputPort())
+    surface.Update()
+    actor = actor_of(surface.GetOutput())
+    actor.GetProperty().EdgeVisibilityOn()
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("ScaledJacobian")
+    mapper.SetLookupTable(color_table(0, 1))
+    mapper.UseLookupTableScalarRangeOn()
+    renderer.AddActor(actor)
+    renderer.AddViewProp(color_bar(mapper.GetLookupTable(), min(options.size)))
+    renderer.AddActor(feature_actor(features_of(mesh, part), min(options.size)))
+    return part, mesh.GetBounds()
+
+
+def add_surface(renderer, options):
+    surface = read(options.mesh, vtkOBJReader())
+    actor = actor_of(surface)
+    actor.GetProperty().SetInterpolationToFlat()
+    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().SetColor(0.82, 0.85, 0.88)
+    renderer.AddActor(actor)
+    if options.features:
+        lines = read_features(options.features, surface)
+        renderer.AddActor(feature_actor(lines, min(options.size)))
+    return surface, surface.GetBounds()
+
+
 def fit(renderer, part):
     """Fills the picture with the points, but for room for the colours on the right."""
     camera = renderer.GetActiveCamera()
@@ -90,7 +225,7 @@ def fit(renderer, part):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("mesh", help="hex mesh, .vtu")
+    parser.add_argument("mesh", help="hex mesh, .vtu, or surface, .obj")
     parser.add_argument("picture", help="result, .png")
     parser.add_argument("--size", type=size_of, default="900x900", help="in pixels, WIDTHxHEIGHT")
     parser.add_argument("--axis", type=int, default=1, choices=(0, 1, 2), help="normal of the cut")
@@ -99,62 +234,20 @@ def main():
     parser.add_argument("--other-side", action="store_true",
                         help="keep and look at the other side of the cut")
     parser.add_argument("--up", type=int, default=2, choices=(0, 1, 2), help="axis that points up")
+    parser.add_argument("--features", metavar="FILE", help="of a surface, .fgraph")
     options = parser.parse_args()
     if options.up == options.axis:
         parser.error("--up must not be the axis of the cut")
 
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(options.mesh)
-    reader.Update()
-    mesh = reader.GetOutput()
-    if mesh.GetNumberOfCells() == 0:
-        raise RuntimeError(f"{options.mesh}: no cells")
-    mesh = with_quality(mesh)
-    bounds = mesh.GetBounds()
-    sign = 1 if options.other_side else -1
-    part = cut_open(mesh, options.axis, options.position, sign)
-    if part.GetNumberOfCells() == 0:
-        raise RuntimeError("no cells on this side of the cut")
-
-    # The producer is kept alive by this name: a pipeline of temporaries crashes.
-    producer = vtkTrivialProducer()
-    producer.SetOutput(part)
-    surface = vtkGeometryFilter()
-    surface.SetInputConnection(producer.GetOutputPort())
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(surface.GetOutputPort())
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("ScaledJacobian")
-    mapper.SetLookupTable(color_table(0, 1))
-    mapper.UseLookupTableScalarRangeOn()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().EdgeVisibilityOn()
-    actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.15)
-    actor.GetProperty().SetAmbient(0.35)
-    actor.GetProperty().SetDiffuse(0.7)
-
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(mapper.GetLookupTable())
-    bar.SetTitle("scaled\nJacobian")
-    bar.SetNumberOfLabels(6)
-    bar.SetLabelFormat("%.1f")
-    bar.SetVerticalTitleSeparation(8)
-    bar.SetPosition(0.87, 0.05)
-    bar.SetWidth(0.12)
-    bar.SetHeight(0.4)
-    bar.UnconstrainedFontSizeOn()
-    for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-        text.SetColor(0, 0, 0)
-        text.SetFontSize(max(8, min(options.size) // 50))
-        text.BoldOff()
-        text.ShadowOff()
-        text.ItalicOff()
-
+    # So that lines on faces aren't hidden by them.
+    vtkMapper.SetResolveCoincidentTopologyToPolygonOffset()
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
-    renderer.AddActor(actor)
-    renderer.AddViewProp(bar)
+    sign = 1 if options.other_side else -1
+    if options.mesh.endswith(".obj"):
+        part, bounds = add_surface(renderer, options)
+    else:
+        part, bounds = add_mesh(renderer, options, sign)
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(8)
