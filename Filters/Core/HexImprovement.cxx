@@ -378,13 +378,13 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     last = minimum;
     ++report.Rounds;
   }
-  if (improvement.Minimum() < target)
+  double floor = std::min(target, improvement.Minimum());
+  if (options.Features && floor < target)
   {
+    // Creases bound the quality of a few hexes: they don't hold up the others, nor allow them to get as bad.
     improvement.RaiseOthers(target);
+    floor = std::max(floor, AcceptableShare * target);
   }
-  // A few stuck hexes are no licence to make others as bad.
-  const double floor =
-    std::min(target, std::max(improvement.Minimum(), AcceptableShare * target));
   improvement.RaiseAverage(floor);
   report.OnSurface = improvement.Project(floor);
   envelope.Rebuild();
