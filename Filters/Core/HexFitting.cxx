@@ -41,10 +41,10 @@ Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& sur
       terms.UpdateReverse(optimizer, envelope, weight, threshold);
     }
     optimizer.ActivateBoundary();
-    optimizer.Sweep(-1.0);
+    optimizer.Sweep(-1.0, &monitor);
     weight = std::min(weight * options.WeightGrowth, options.MaximumWeight);
   }
   envelope.Rebuild();
-  return Status();
+  return monitor.StopStatus();
 }
 }
