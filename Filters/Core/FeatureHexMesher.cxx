@@ -7,6 +7,7 @@
 #include "HexUntangling.h"
 #include "OctreeDual.h"
 #include "ProvenFitting.h"
+#include "StageCheck.h"
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"
 
@@ -292,6 +293,10 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   }
   if (status.Ok())
   {
+    status = CheckStageOutput({ "octree dual", StagePromise::PositiveCorners }, this->Dual);
+  }
+  if (status.Ok())
+  {
     const StageClock clock(this->Result.Timings, "domain");
     this->BeginPhase("finding inside and outside", 0.06, 0.15);
     DomainOptions domain;
@@ -340,6 +345,10 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     const StageClock clock(this->Result.Timings, "padding");
     this->BeginPhase("padding", 0.15, 0.17);
     status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body);
+    if (status.Ok())
+    {
+      status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
+    }
     if (!status.Ok())
     {
       return Outcome::Failed;
@@ -362,6 +371,10 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     return this->Refine(std::to_string(report.InvertedAfter) + " hexes stay inverted",
       StatusCode::Untangling, places, status);
   }
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "untangling", StagePromise::PositiveCorners }, this->Body.Mesh);
+  }
   return status.Ok() ? Outcome::Done : Outcome::Failed;
 }
 
@@ -372,6 +385,11 @@ Mesher::Outcome Mesher::Fit(Status& status)
   ProvenFittingReport report;
   status = this->Fitting->Run(this->Body.Mesh, this->Stars, report, this->Progress);
   this->Result.Improvement = report.Improvement;
+  if (status.Ok())
+  {
+    // Certificates are the validation's: it asks for refinement where one is missing.
+    status = CheckStageOutput({ "fitting", StagePromise::PositiveCorners }, this->Body.Mesh);
+  }
   if (!status.Ok())
   {
     return Outcome::Failed;

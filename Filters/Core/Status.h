@@ -37,7 +37,7 @@ enum class StatusCode
   Distance,          ///< the boundary leaves the tolerance
   Validation,        ///< the finished mesh broke a promise
   OutOfMemory,       ///< an allocation failed
-  Unexpected         ///< an exception of a library: a defect of the program
+  Unexpected         ///< a stage broke its promise, a library threw: a defect of the program
 };
 
 /// Result of a core algorithm. Message: what is wrong, where, how much, what to do.

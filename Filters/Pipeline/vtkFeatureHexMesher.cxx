@@ -5,6 +5,7 @@
 #include "BoundaryPatches.h"
 #include "DataConversion.h"
 #include "FeatureHexMesher.h"
+#include "StageCheck.h"
 #include "vtkFeatureHexVersion.h"
 
 #include "vtkCellData.h"
@@ -159,7 +160,20 @@ featurehex::Status vtkFeatureHexMesher::Compute(
 
   const SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
   MeshingResult result;
-  const Status status = MeshSurface(surface, options, monitor, result);
+  Status status = MeshSurface(surface, options, monitor, result);
+  const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
+  if (status.Ok())
+  {
+    const std::size_t hexes = result.Mesh.Hexes.size();
+    status = CheckStageOutput({ "composite", StagePromise::Certified,
+                                { { ArrayNames::Region, result.Region.size(), hexes },
+                                  { ArrayNames::Level, result.Level.size(), hexes },
+                                  { ArrayNames::ScaledJacobian,
+                                    result.Validation.ScaledJacobians.size(), hexes },
+                                  { ArrayNames::Deviation,
+                                    result.Validation.Distance.Deviation.size(), quads.size() } } },
+      result.Mesh);
+  }
   if (!status.Ok())
   {
     return status;
@@ -176,7 +190,6 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   AddArray(mesh->GetCellData(), ArrayNames::ScaledJacobian, result.Validation.ScaledJacobians);
 
   vtkPolyData* boundary = vtkPolyData::GetData(outputs, 1);
-  const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
   PolyDataFromQuads(result.Mesh.Points, quads, boundary);
   AddArray(boundary->GetCellData(), ArrayNames::PatchId,
     PatchesOfShells(result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check)));

@@ -6,6 +6,7 @@
 #include "DataConversion.h"
 #include "HexUntangling.h"
 #include "ProvenFitting.h"
+#include "StageCheck.h"
 #include "SurfaceSizing.h"
 
 #include "vtkCellData.h"
@@ -120,11 +121,18 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
   status = ProvenFitting(surface, options).Run(mesh, stars, report, monitor);
+  const std::vector<Vec3>& places = report.Places;
+  if (status.Ok())
+  {
+    // A mesh that is to be refined anyway only has to be sound. The check is cheap beside the fit.
+    status = CheckStageOutput(
+      { "fitting", places.empty() ? StagePromise::Certified : StagePromise::PositiveCorners }, mesh,
+      CheckDepth::Full);
+  }
   if (!status.Ok())
   {
     return status;
   }
-  const std::vector<Vec3>& places = report.Places;
   const bool improved = this->MinimumScaledJacobian > 0 && report.Improvement.Drawn;
   FigureRow row;
   row.Numbers = { { "WithinTolerance", report.Outcome == FittingOutcome::Proven ? 1.0 : 0.0 },

@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "HexPadding.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -62,6 +63,17 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   options.Thickness = this->Thickness;
   PaddedMesh padded;
   status = PadInterface(mesh, region, options, padded);
+  if (status.Ok())
+  {
+    const std::size_t hexes = padded.Mesh.Hexes.size();
+    status = CheckStageOutput({ "padding", StagePromise::Conforming,
+                                { { ArrayNames::Region, padded.Region.size(), hexes },
+                                  { ArrayNames::PaddingLayer, padded.IsLayer.size(), hexes },
+                                  { "SourceHex", padded.SourceHex.size(), hexes },
+                                  { "SourcePoint", padded.SourcePoint.size(),
+                                    padded.Mesh.Points.size() } } },
+      padded.Mesh);
+  }
   if (!status.Ok())
   {
     return status;

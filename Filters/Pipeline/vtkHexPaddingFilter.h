@@ -17,7 +17,8 @@
  *
  * <b>Guarantees:</b> connectivity is valid. Some hexes may be inverted: vtkHexUntangleFilter.
  *
- * <b>Errors:</b> no array Region, no hex in a body, a mesh that is not conforming.
+ * <b>Errors:</b> no array Region, no hex in a body, bodies that touch along an edge or in a point
+ * (regions edited by hand), a mesh that is not conforming.
  *
  * <b>Units:</b> thickness in local cell sizes.
  *

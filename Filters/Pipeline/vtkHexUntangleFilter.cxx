@@ -3,6 +3,7 @@
 
 #include "DataConversion.h"
 #include "HexUntangling.h"
+#include "StageCheck.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -96,6 +97,10 @@ featurehex::Status vtkHexUntangleFilter::Compute(
         " at " + Place(where) +
         ". Raise MaximumSweeps, try the other Method, or make the octree finer there.",
       { where });
+  }
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "untangling", StagePromise::PositiveCorners }, mesh);
   }
   if (!status.Ok())
   {

@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "HexValidation.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -112,6 +113,14 @@ featurehex::Status vtkHexValidationFilter::Compute(
   if (!report.Result.Ok() && report.Result.Code != StatusCode::Validation)
   {
     return report.Result;
+  }
+  status = CheckStageOutput({ "validation", StagePromise::Ids,
+                              { { ArrayNames::ScaledJacobian, report.ScaledJacobians.size(),
+                                mesh.Hexes.size() } } },
+    mesh);
+  if (!status.Ok())
+  {
+    return status;
   }
 
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);

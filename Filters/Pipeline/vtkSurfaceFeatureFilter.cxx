@@ -3,6 +3,7 @@
 
 #include "ArrayNames.h"
 #include "DataConversion.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -50,7 +51,14 @@ featurehex::Status vtkSurfaceFeatureFilter::Compute(
   monitor.BeginPhase("checking the surface");
   SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
   SurfaceCheckReport report;
-  const Status status = CheckSurface(surface, SurfaceCheckOptions(), report, monitor);
+  Status status = CheckSurface(surface, SurfaceCheckOptions(), report, monitor);
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "surface check", StagePromise::Conforming,
+                                { { ArrayNames::PatchId, report.ComponentOfTriangle.size(),
+                                  surface.Triangles.size() } } },
+      surface);
+  }
   if (!status.Ok())
   {
     return status;

@@ -2,6 +2,7 @@
 #include "vtkSurfaceOctreeFilter.h"
 
 #include "DataConversion.h"
+#include "StageCheck.h"
 #include "SurfaceGeometry.h"
 #include "SurfaceSizing.h"
 
@@ -110,6 +111,10 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   OctreePrediction prediction;
   status = BuildBlockOctree(surface.Mesh(), points, options, octree, &prediction, monitor);
   this->PredictedNumberOfCells = prediction.Cells;
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "octree", StagePromise::Conforming }, octree);
+  }
   if (status.Ok())
   {
     GridFromOctree(octree, vtkUnstructuredGrid::GetData(outputs));
