@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the surfaces of this folder: make_surfaces.py [FOLDER], default: this one.
 
-Needs nothing but Python; the files are the same, byte for byte, on each run.
+The rotation series goes to its subfolder "rotation", each surface with its sharp features as
+.fgraph beside it. Needs nothing but Python; the files are the same, byte for byte, on each run.
 """
 import math
 import os
@@ -100,13 +101,140 @@ def joined(surfaces):
     return points, triangles
 
 
-def write_obj(path, comment, surface):
+#--- shapes with sharp edges -----------------------------------------------------------------------
+def cut_polygon(polygon):
+    """Triangles of a simple polygon (2D points, counter-clockwise) by cutting ears."""
+
+    def area(a, b, c):
+        (ax, ay), (bx, by), (cx, cy) = polygon[a], polygon[b], polygon[c]
+        return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+
+    left, triangles = list(range(len(polygon))), []
+    while len(left) > 3:
+        for i in range(len(left)):
+            a, b, c = left[i - 1], left[i], left[(i + 1) % len(left)]
+            others = [p for p in left if p not in (a, b, c)]
+            if area(a, b, c) > 1e-12 and not any(
+                    area(a, b, p) >= 0 and area(b, c, p) >= 0 and area(c, a, p) >= 0
+                    for p in others):
+                triangles.append((a, b, c))
+                del left[i]
+                break
+    return triangles + [tuple(left)]
+
+
+def prism(polygon, height):
+    """The polygon (counter-clockwise) from z = -height / 2 to height / 2."""
+    n = len(polygon)
+    points = [(x, y, z) for z in (-height / 2, height / 2) for x, y in polygon]
+    triangles = []
+    for a, b, c in cut_polygon(polygon):
+        triangles += [(a, c, b), (n + a, n + b, n + c)]
+    for i in range(n):
+        j = (i + 1) % n
+        triangles += [(i, j, n + j), (i, n + j, n + i)]
+    return points, triangles
+
+
+def pyramid(polygon, height):
+    """The polygon (counter-clockwise) at z = 0, all its points joined with one above the origin."""
+    n = len(polygon)
+    points = [(x, y, 0.0) for x, y in polygon] + [(0.0, 0.0, height)]
+    triangles = [(a, c, b) for a, b, c in cut_polygon(polygon)]
+    return points, triangles + [(i, (i + 1) % n, n) for i in range(n)]
+
+
+def regular_polygon(sides, radii=(1.0,)):
+    """Points round the origin at these radii in turn: with two of them a star."""
+    return [(radii[i % len(radii)] * math.cos(2 * math.pi * i / sides),
+             radii[i % len(radii)] * math.sin(2 * math.pi * i / sides)) for i in range(sides)]
+
+
+def turned(surface, axis, degrees):
+    """Rotated about an axis through the origin (Rodrigues)."""
+    length = math.sqrt(sum(x * x for x in axis))
+    k = [x / length for x in axis]
+    sine, cosine = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+
+    def turn(p):
+        along = sum(a * b for a, b in zip(k, p))
+        cross = (k[1] * p[2] - k[2] * p[1], k[2] * p[0] - k[0] * p[2], k[0] * p[1] - k[1] * p[0])
+        return tuple(p[i] * cosine + cross[i] * sine + k[i] * along * (1 - cosine)
+                     for i in range(3))
+
+    points, triangles = surface
+    return [turn(p) for p in points], triangles
+
+
+def sharp_features(surface, smooth=30.0, kink=40.0):
+    """Corners and edges by the angles between triangles and between edges, degrees."""
+    points, triangles = surface
+
+    def difference(a, b):
+        return tuple(points[a][i] - points[b][i] for i in range(3))
+
+    def angle(u, v):
+        cosine = sum(a * b for a, b in zip(u, v)) / math.sqrt(
+            sum(a * a for a in u) * sum(b * b for b in v))
+        return math.degrees(math.acos(max(-1.0, min(1.0, cosine))))
+
+    normals = {}
+    for a, b, c in triangles:
+        u, v = difference(b, a), difference(c, a)
+        normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+        for edge in ((a, b), (b, c), (c, a)):
+            normals[edge] = normal
+    edges = sorted((a, b) for a, b in normals
+                   if a < b and angle(normals[a, b], normals[b, a]) > smooth)
+    neighbors = {}
+    for a, b in edges:
+        neighbors.setdefault(a, []).append(b)
+        neighbors.setdefault(b, []).append(a)
+    corners = sorted(
+        p for p, others in neighbors.items() if len(others) != 2 or
+        angle(difference(p, others[0]), difference(others[1], p)) > kink)
+    return corners, edges
+
+
+def rotation_series():
+    """Name, comment, surface of each shape of the folder "rotation"."""
+    square = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
+    axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    cases = [("x" + "yz"[:count - 1], [degrees] * count)
+             for count in (1, 2, 3) for degrees in (5, 10, 15, 20, 25)]
+    for letters, angles in cases + [("mixed", [25, 10, 15])]:
+        cube = prism(square, 1.0)
+        for axis, degrees in zip(axes, angles):
+            cube = turned(cube, axis, degrees)
+        yield (f"cube_{letters}" + (f"_{angles[0]:02d}" if letters != "mixed" else ""),
+               "unit cube turned about x, y, z by " + ", ".join(map(str, angles)) + " degrees", cube)
+
+    skew = (3, 2, 1)
+    bracket = [(0, 0), (3, 0), (3, 1), (2.2, 1), (2.2, 0.6), (1.7, 0.6), (1.7, 1), (1, 1), (1, 3),
+               (0, 3)]
+    yield "bracket", "L-bracket with a notch, turned by 25 degrees", turned(
+        prism(bracket, 1.5), skew, 25)
+    yield "cylinder", "cylinder of 48 sides, turned by 25 degrees", turned(
+        prism(regular_polygon(48), 2.0), skew, 25)
+
+    for degrees in (12, 20, 25):
+        tip = math.radians(degrees)
+        yield f"wedge_{degrees}", f"two faces meet at {degrees} degrees", prism(
+            [(0.0, 0.0), (2.0, 0.0), (2 * math.cos(tip), 2 * math.sin(tip))], 1.0)
+    # A regular pyramid of more sides has no sharp edges any more: these have star bases.
+    for valence in (7, 8, 10, 12):
+        radii = (1.0,) if valence == 7 else (1.0, 0.45)
+        yield f"apex_{valence:02d}", f"pyramid, {valence} edges meet at the apex", pyramid(
+            regular_polygon(valence, radii), 1.6)
+
+
+def write_obj(path, comment, surface, digits=6):
     points, triangles = surface
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.write(f"# {comment}\n")
         for p in points:
             # Adding zero turns -0 into 0.
-            file.write("v " + " ".join(f"{round(x, 6) + 0.0:.6f}" for x in p) + "\n")
+            file.write("v " + " ".join(f"{round(x, digits) + 0.0:.{digits}f}" for x in p) + "\n")
         for triangle in triangles:
             file.write("f " + " ".join(str(i + 1) for i in triangle) + "\n")
 
@@ -124,6 +252,17 @@ def write_stl(path, comment, surface):
             file.write(struct.pack("<H", 0))
 
 
+def write_fgraph(path, features):
+    """Flags: curves that bound no patch on both sides are kept."""
+    corners, edges = features
+    with open(path, "w", encoding="ascii", newline="\n") as file:
+        file.write(f"140 1 1\n{len(corners)} {len(edges)}\n")
+        for corner in corners:
+            file.write(f"{corner}\n")
+        for a, b in edges:
+            file.write(f"{a} {b}\n")
+
+
 def main(folder):
     sphere = geodesic_sphere(6)
     write_stl(os.path.join(folder, "sphere.stl"), "unit sphere", sphere)
@@ -133,6 +272,13 @@ def main(folder):
                       moved(reversed_surface(geodesic_sphere(4)), 0.5, (0.1, 0, 0)),
                       moved(torus(0.8, 0.3, 32, 14), 1, (0, 2.6, 0))]))
     write_obj(os.path.join(folder, "blob.obj"), "bumpy organic body", blob())
+
+    rotation = os.path.join(folder, "rotation")
+    os.makedirs(rotation, exist_ok=True)
+    for name, comment, surface in rotation_series():
+        # More digits: faces of turned shapes are flat.
+        write_obj(os.path.join(rotation, name + ".obj"), comment, surface, 9)
+        write_fgraph(os.path.join(rotation, name + ".fgraph"), sharp_features(surface))
 
 
 if __name__ == "__main__":

@@ -31,12 +31,18 @@ constexpr const char* OriginalCellId = "OriginalCellId"; ///< id of the cell in 
 
 // Cells of surfaces and boundaries.
 constexpr const char* PatchId = "PatchId";     ///< 0...; -1 none
+constexpr const char* ComponentId = "ComponentId"; ///< connected piece of a surface, 0...
 constexpr const char* Deviation = "Deviation"; ///< distance to the input, model units
 
 // Cells of feature graphs.
 constexpr const char* CornerId = "CornerId";
 constexpr const char* CurveId = "CurveId";
 constexpr const char* FeatureValid = "FeatureValid"; ///< 0: found, but not enforced
+
+constexpr const char* Captured = "Captured"; ///< of feature polylines of a mesh, 1: one to one
+
+// Points of feature polylines of a mesh.
+constexpr const char* MeshPointId = "MeshPointId"; ///< id of the point in the mesh
 
 // Points of feature graphs.
 constexpr const char* SurfacePointId = "SurfacePointId"; ///< id of the point in the surface
@@ -54,6 +60,10 @@ constexpr const char* TargetEdgeLength = "TargetEdgeLength"; ///< model units
 /// Of an output that is empty because a filter failed: code and message. Filters after it pass it on
 /// instead of complaining about their empty input.
 constexpr const char* Error = "FeatureHexError";
+
+// Field data of hex meshes with features. Ids are those of the mesh's points.
+constexpr const char* FeatureQuads = "FeatureQuads"; ///< boundary quads: four points, patch
+constexpr const char* FeatureEdges = "FeatureEdges"; ///< edges of curves: two points, curve
 
 // Field data of feature graphs.
 constexpr const char* FeatureAngle = "FeatureAngle"; ///< degrees

@@ -2,7 +2,10 @@
 #include "FeatureHexMesher.h"
 
 #include "BlockOctree.h"
+#include "FeatureSizing.h"
 #include "HexDomain.h"
+#include "HexFeatureMapping.h"
+#include "HexLocalPadding.h"
 #include "HexPadding.h"
 #include "HexUntangling.h"
 #include "OctreeDual.h"
@@ -28,6 +31,9 @@ constexpr double FarFromOrigin = 100;    // diagonals
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
+constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
+constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
+constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
 
 /// Adds the wall time between construction and destruction to a stage.
 class StageClock
@@ -93,10 +99,13 @@ private:
 
   Status CheckOptions() const;
   Status Prepare(const SurfaceMesh& input);
+  Status FindFeatures(const SurfaceMesh& checked);
+  void PrepareSizing();
   void MoveToOrigin(SurfaceMesh& surface);
   std::vector<Vec3> MovedBack(std::vector<Vec3> points) const;
   Outcome RunRound(int round, Status& status);
   Outcome BuildDomain(Status& status);
+  Outcome MapFeatures(Status& status);
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
@@ -116,6 +125,7 @@ private:
 
   std::unique_ptr<SurfaceGeometry> Surface;
   WindingNumber Winding;
+  std::unique_ptr<FeatureGeometry> Geometry; ///< null without features
   std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
@@ -128,8 +138,11 @@ private:
   HexMesh Dual;
   OctreeDualArrays DualArrays;
   HexDomain Domain;
+  FeatureMapping Mapping;
   PaddedMesh Body;
+  HexFeatures Features;
   HexStars Stars;
+  std::unique_ptr<FeatureTargets> Targets;
 };
 
 void Mesher::BeginPhase(const std::string& name, double from, double to)
@@ -202,6 +215,10 @@ Status Mesher::Prepare(const SurfaceMesh& input)
       return status;
     }
   }
+  if (Status status = this->FindFeatures(checked); !status.Ok())
+  {
+    return status;
+  }
   this->MoveToOrigin(checked);
   const StageClock clock(this->Result.Timings, "sizing");
   this->Progress.BeginPhase("measuring thickness and gaps", 0.05, 0.1);
@@ -216,13 +233,56 @@ Status Mesher::Prepare(const SurfaceMesh& input)
     : this->Surface->Bounds().Size().maxCoeff() / CellsPerSide;
   this->Result.TargetEdgeLength = this->EdgeLength;
 
+  this->PrepareSizing();
+  return this->Progress.StopStatus();
+}
+
+Status Mesher::FindFeatures(const SurfaceMesh& checked)
+{
+  const FeatureInput& input = this->Options.Features;
+  if (input.Mode == FeatureMode::None)
+  {
+    return Status();
+  }
+  const StageClock clock(this->Result.Timings, "features");
+  FeatureAnnotation annotation = { input.Edges, input.Corners };
+  if (Status status =
+        featurehex::MapFeatures(this->Result.Check.Points, annotation.Edges, annotation.Corners);
+      !status.Ok())
+  {
+    return status;
+  }
+  FeatureExtractionOptions options;
+  options.Mode =
+    input.Mode == FeatureMode::Angle ? AnnotationMode::Add : AnnotationMode::Replace;
+  options.Detection = input.Detection;
+  options.Graph.EnforceAll = input.EnforceAll;
+  options.Graph.CornerAngle = input.CornerAngle;
+  return ExtractFeatures(
+    checked, &annotation, options, this->Result.SurfaceGraph, this->Result.FeatureReport);
+}
+
+/// Refinement points that follow from the surface and its features alone.
+void Mesher::PrepareSizing()
+{
   SizingOptions sizing;
   sizing.TargetEdgeLength = this->EdgeLength;
   sizing.Slack = this->AbsoluteTolerance();
   sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->Options.MaximumLevel);
   this->Points =
     ComputeSizing(this->Surface->Mesh(), this->Surface->Search(), sizing, this->Progress);
-  return this->Progress.StopStatus();
+  if (this->Result.SurfaceGraph.Curves.empty())
+  {
+    return;
+  }
+  this->Geometry = std::make_unique<FeatureGeometry>(
+    this->Surface->Mesh(), this->Result.SurfaceGraph, TrimCells * this->EdgeLength);
+  FeatureSizingOptions features;
+  features.TargetEdgeLength = this->EdgeLength;
+  features.MaximumLevel = this->Options.MaximumLevel;
+  const std::vector<RefinementPoint> points = ThinRefinementPoints(
+    ComputeFeatureSizing(*this->Geometry, features), this->EdgeLength);
+  this->Points.insert(this->Points.end(), points.begin(), points.end());
 }
 
 /// Adds refinement points one level below the cells at @a places. When nothing can be refined there any more, or
@@ -339,28 +399,71 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   return Outcome::Done;
 }
 
+Mesher::Outcome Mesher::MapFeatures(Status& status)
+{
+  if (!this->Geometry)
+  {
+    return Outcome::Done;
+  }
+  const StageClock clock(this->Result.Timings, "feature mapping");
+  this->BeginPhase("mapping the features", 0.15, 0.16);
+  status = MapFeaturesToInterface(this->Dual, this->Domain.Interface, *this->Geometry,
+    FeatureMappingOptions(), this->Progress, this->Mapping);
+  if (!status.Ok())
+  {
+    return Outcome::Failed;
+  }
+  if (this->Mapping.Complete())
+  {
+    return Outcome::Done;
+  }
+  std::vector<Vec3> places;
+  for (const MappingFailure& failure : this->Mapping.Failures)
+  {
+    places.insert(places.end(), failure.Places.begin(), failure.Places.end());
+  }
+  const std::size_t others = this->Mapping.Failures.size() - 1;
+  return this->Refine(this->Mapping.Failures.front().Reason +
+      (others > 0 ? ", and " + std::to_string(others) + " more" : ""),
+    StatusCode::Features, places, status);
+}
+
 Mesher::Outcome Mesher::BuildBody(Status& status)
 {
   {
     const StageClock clock(this->Result.Timings, "padding");
     this->BeginPhase("padding", 0.15, 0.17);
     status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body);
-    if (status.Ok())
+    if (!status.Ok())
     {
-      status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
+      return Outcome::Failed;
     }
+    if (this->Geometry)
+    {
+      this->Features =
+        FeaturesOfPaddedMesh(this->Mapping.Features, this->Body, HexStars(this->Body.Mesh));
+      PadDegenerateQuads(this->Body, this->Features, *this->Geometry, LocalPaddingOptions());
+    }
+    status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
     if (!status.Ok())
     {
       return Outcome::Failed;
     }
     this->Result.Rounds.back().Hexes = static_cast<Index>(this->Body.Mesh.Hexes.size());
     this->Stars = HexStars(this->Body.Mesh);
+    if (this->Geometry)
+    {
+      this->Targets = std::make_unique<FeatureTargets>(
+        *this->Geometry, this->Features, this->Stars, this->Body.Mesh.Points);
+    }
   }
   const StageClock clock(this->Result.Timings, "untangling");
   this->BeginPhase("untangling", 0.17, 0.22);
   UntangleReport report;
-  status = UntangleHexes(this->Body.Mesh, this->Stars, this->Surface.get(), UntangleOptions(),
-    report, this->Progress);
+  UntangleOptions untangling;
+  untangling.Features = this->Targets.get();
+  status = UntangleHexes(
+    this->Body.Mesh, this->Stars, this->Surface.get(), untangling, report, this->Progress);
   if (status.Ok() && report.InvertedAfter > 0)
   {
     std::vector<Vec3> places;
@@ -383,7 +486,8 @@ Mesher::Outcome Mesher::Fit(Status& status)
   const StageClock clock(this->Result.Timings, "fitting");
   this->BeginPhase("fitting to the surface", 0.22, 0.9);
   ProvenFittingReport report;
-  status = this->Fitting->Run(this->Body.Mesh, this->Stars, report, this->Progress);
+  status = this->Fitting->Run(
+    this->Body.Mesh, this->Stars, this->Targets.get(), report, this->Progress);
   this->Result.Improvement = report.Improvement;
   if (status.Ok())
   {
@@ -417,6 +521,10 @@ Mesher::Outcome Mesher::Validate(Status& status)
   this->BeginPhase("validating", 0.9, 1.0);
   HexValidationOptions validation;
   validation.Tolerance = this->Options.Tolerance;
+  if (this->Geometry)
+  {
+    validation.Features = { &this->Result.SurfaceGraph, &this->Features };
+  }
   HexValidationReport& report = this->Result.Validation;
   // What is judged is what the user gets: the points moved back, rounding included.
   const HexMesh mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
@@ -445,7 +553,8 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   this->KeepBest();
   const double minimum = this->Result.Validation.Quality.Minimum;
-  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian ||
+  const double share = this->Geometry ? AcceptableFeatureShare : AcceptableShare;
+  if (minimum >= share * this->Options.MinimumScaledJacobian ||
     ++this->QualityRounds > MaximumQualityRounds)
   {
     return Outcome::Done;
@@ -464,6 +573,10 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       places.push_back(this->Surface->Search().Closest(center).Point);
     }
   }
+  if (this->Geometry && places.size() > StructuralShare * this->Body.Mesh.Hexes.size())
+  {
+    return Outcome::Done; // creases: finer cells would look the same
+  }
   const Outcome outcome = this->Refine(
     "The worst hexes are stuck at a low scaled Jacobian", StatusCode::Validation, places, status);
   if (outcome == Outcome::Failed)
@@ -481,6 +594,7 @@ void Mesher::KeepBest()
   {
     this->Best.Mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
     this->Best.Region = this->Body.Region;
+    this->Best.Features = this->Features;
     this->Best.Level.clear();
     for (Index source : this->Body.SourceHex)
     {
@@ -496,7 +610,7 @@ Mesher::Outcome Mesher::RunRound(int round, Status& status)
 {
   this->Round = round;
   this->Result.Rounds.emplace_back();
-  for (const auto stage : { &Mesher::BuildDomain, &Mesher::BuildBody, &Mesher::Fit,
+  for (const auto stage : { &Mesher::BuildDomain, &Mesher::MapFeatures, &Mesher::BuildBody, &Mesher::Fit,
          &Mesher::Validate, &Mesher::RaiseQuality })
   {
     const Outcome outcome = (this->*stage)(status);
@@ -535,6 +649,7 @@ Status Mesher::Run(const SurfaceMesh& input)
   // A later round may have failed or run out of time: the best valid mesh counts.
   this->Result.Mesh = std::move(this->Best.Mesh);
   this->Result.Region = std::move(this->Best.Region);
+  this->Result.Features = std::move(this->Best.Features);
   this->Result.Level = std::move(this->Best.Level);
   this->Result.Improvement = this->Best.Improvement;
   this->Result.Validation = std::move(this->Best.Validation);
@@ -551,6 +666,7 @@ Status MeshSurface(const SurfaceMesh& surface, const MeshingOptions& options, Mo
   {
     result.Mesh = HexMesh();
     result.Region.clear();
+    result.Features = HexFeatures();
     result.Level.clear();
   }
   return status;

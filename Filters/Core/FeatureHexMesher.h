@@ -5,6 +5,8 @@
 #ifndef featurehex_FeatureHexMesher_h
 #define featurehex_FeatureHexMesher_h
 
+#include "FeatureExtraction.h"
+#include "HexFeatures.h"
 #include "HexImprovement.h"
 #include "HexValidation.h"
 #include "Monitor.h"
@@ -14,8 +16,27 @@
 
 namespace featurehex
 {
+/// Where the sharp features come from.
+enum class FeatureMode
+{
+  None,
+  Angle, ///< edges found by their dihedral angle, and those of FeatureInput
+  Given  ///< the edges and corners of FeatureInput
+};
+
+struct FeatureInput
+{
+  FeatureMode Mode = FeatureMode::None;
+  std::vector<PointPair> Edges; ///< point ids of the input surface
+  std::vector<Index> Corners;   ///< further ones; where curves meet or kink there is one anyway
+  double CornerAngle = 140.0;   ///< kinks: FeatureGraphOptions
+  FeatureDetectionOptions Detection; ///< Angle
+  bool EnforceAll = false; ///< also corners with many or acute curves
+};
+
 struct MeshingOptions
 {
+  FeatureInput Features;
   /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the bounding box.
   double Tolerance = 0.005;
   /// Cell size at the surface, model units; 0: longest side of the bounding box / 26.
@@ -50,6 +71,9 @@ struct MeshingResult
 {
   HexMesh Mesh;
   std::vector<int> Region; ///< per hex, 1 and up: which body
+  SurfaceFeatures SurfaceGraph; ///< features of the checked surface
+  FeatureExtractionReport FeatureReport;
+  HexFeatures Features;         ///< of the mesh; empty without features
   std::vector<int> Level;  ///< per hex: octree level relative to the target edge length
   double TargetEdgeLength = 0.0;
   SurfaceCheckReport Check;

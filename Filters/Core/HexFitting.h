@@ -5,6 +5,7 @@
 #ifndef featurehex_HexFitting_h
 #define featurehex_HexFitting_h
 
+#include "FeatureTargets.h"
 #include "Monitor.h"
 #include "SurfaceEnvelope.h"
 
@@ -19,9 +20,11 @@ struct FittingOptions
   double MaximumWeight = 200.0;   ///< more only lowers the quality (recipe-pipeline 3)
 };
 
-/// From a valid mesh to a valid mesh with its boundary on the surface. @a envelope belongs to this mesh.
+/// From a valid mesh to a valid mesh with its boundary on the surface. @a features may be null; corner and curve
+/// vertices that reach their features are locked there. @a envelope belongs to this mesh.
 Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
-  SurfaceEnvelope& envelope, const FittingOptions& options, Monitor& monitor);
+  FeatureTargets* features, SurfaceEnvelope& envelope, const FittingOptions& options,
+  Monitor& monitor);
 }
 
 #endif

@@ -22,6 +22,7 @@ constexpr int AverageSweeps = 5;
 constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
 constexpr double HopelessShare = 0.97;
+constexpr double SnapFloor = 0.05; // scaled Jacobian that a snapped feature vertex must leave
 constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
 
 /// True when the minimum has not risen for several sweeps: another stage may free what is stuck.
@@ -54,7 +55,7 @@ public:
     , Progress(monitor)
     , Schedule(mesh.Hexes, stars.Hexes, 3)
     , Vertices(mesh, stars, envelope,
-        options.EnvelopeShare * options.Tolerance * surface.Diagonal())
+        options.EnvelopeShare * options.Tolerance * surface.Diagonal(), options.Features)
     , Qualities(mesh.Hexes.size())
     , Chosen(mesh.Points.size())
   {
@@ -186,6 +187,25 @@ public:
     this->UpdateQualities();
   }
 
+  /// Feature vertices onto their features where the mesh stays valid; the quality may suffer, it is raised
+  /// later. Returns how many are not there.
+  Index SnapFeatures()
+  {
+    FeatureTargets* const features = this->Options.Features;
+    if (!features)
+    {
+      return 0;
+    }
+    features->FollowCurves(this->Mesh.Points);
+    Index left = 0;
+    for (Index v : features->Vertices())
+    {
+      left += this->Vertices.Project(v, this->Surface, SnapFloor) ? 0 : 1;
+    }
+    this->UpdateQualities();
+    return left;
+  }
+
   /// Boundary vertices onto the surface, one at a time, where nothing gets worse. Returns how many are on it.
   Index Project(double floor)
   {
@@ -264,6 +284,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   report.MinimumBefore = report.MinimumAfter = improvement.Minimum();
   improvement.DrawInside();
   report.Distance = improvement.Distance();
+  report.OffFeatures = improvement.SnapFeatures();
   report.Drawn = report.Distance <= HopelessShare * options.Tolerance * surface.Diagonal();
   if (!report.Drawn)
   {
@@ -284,6 +305,10 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     {
       break;
     }
+    if (report.OffFeatures > 0)
+    {
+      report.OffFeatures = improvement.SnapFeatures();
+    }
     const double gap = round == 0 ? 0.01 : round == 1 ? 0.005 : 0.003;
     improvement.RaiseMinima(target, round == 0 ? 0.2 : 0.1);
     improvement.PushBarrier(target, gap);
@@ -301,6 +326,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   {
     return monitor.StopStatus();
   }
+  report.OffFeatures = improvement.SnapFeatures();
   report.Distance = improvement.Distance();
   report.MinimumAfter = improvement.Minimum();
   report.BelowTarget = improvement.CountBelow(target);

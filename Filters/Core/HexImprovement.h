@@ -6,6 +6,7 @@
 #ifndef featurehex_HexImprovement_h
 #define featurehex_HexImprovement_h
 
+#include "FeatureTargets.h"
 #include "HexStars.h"
 #include "Monitor.h"
 #include "SurfaceEnvelope.h"
@@ -23,6 +24,9 @@ struct ImprovementOptions
   double EnvelopeShare = 0.94;
   int MaximumRounds = 8;
   int MaximumPatches = 40; ///< per round
+  /// Feature vertices that are locked slide on their features only; others are put there as soon as
+  /// that keeps the mesh valid. May be null.
+  FeatureTargets* Features = nullptr;
 };
 
 struct ImprovementReport
@@ -32,6 +36,7 @@ struct ImprovementReport
   bool Drawn = false;  ///< the boundary came well inside the tolerance
   int Rounds = 0;
   Index OnSurface = 0;   ///< boundary vertices that lie on the surface exactly (before a last correction)
+  Index OffFeatures = 0; ///< corner and curve vertices that are not on their features
   Index BelowTarget = 0; ///< hexes left below the wanted minimum
 };
 

@@ -251,16 +251,32 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
   Mat3& hessian = sum.Hessian;
   this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
     const double nd = term.Normal.dot(d);
-    energy += term.Weight * (nd * nd + term.Tether * d.squaredNorm());
-    gradient += (2 * w * term.Weight) * (nd * term.Normal + term.Tether * d);
-    hessian.noalias() += (2 * w * w * term.Weight) * term.Normal * term.Normal.transpose();
+    energy += term.Weight * (term.Stiffness * nd * nd + term.Tether * d.squaredNorm());
+    gradient += (2 * w * term.Weight) * (term.Stiffness * nd * term.Normal + term.Tether * d);
+    hessian.noalias() +=
+      (2 * w * w * term.Weight * term.Stiffness) * term.Normal * term.Normal.transpose();
     hessian.diagonal().array() += 2 * w * w * term.Weight * term.Tether;
   });
 
   const double size = this->VertexSizes[vertex];
-  Vec3 step = -hessian.ldlt().solve(gradient);
+  const Vec3 start = this->Mesh.Points[vertex];
+  const bool locked = this->Features && this->Features->Locked(vertex);
+  Vec3 step;
+  if (locked)
+  {
+    const Vec3 slope = this->Features->Allowed(vertex, start, gradient);
+    step = -slope * (slope.squaredNorm() / slope.dot(hessian * slope));
+  }
+  else
+  {
+    step = -hessian.ldlt().solve(gradient);
+  }
   if (!step.allFinite() || !(gradient.dot(step) < 0))
   {
+    if (locked)
+    {
+      return false;
+    }
     step = -gradient / hessian.trace();
     if (!step.allFinite() || !(gradient.dot(step) < 0))
     {
@@ -285,12 +301,13 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
     }
   }
 
-  const auto energyAt = [&](double a) {
+  const auto energyAt = [&](const Vec3& displacement) {
     double total = 0;
     for (const Corner& corner : corners)
     {
-      const double s = corner.S + a * corner.GradS.dot(step) + a * a * corner.Edges * length * length;
-      const double det = corner.D + a * corner.GradD.dot(step);
+      const double s = corner.S + corner.GradS.dot(displacement) +
+        corner.Edges * displacement.squaredNorm();
+      const double det = corner.D + corner.GradD.dot(displacement);
       const double chi = valid ? det : Regularized(det, corner.Delta);
       if (!(chi > 0))
       {
@@ -299,17 +316,22 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
       total += MipsValue(s, chi);
     }
     this->VisitTerms(vertex, [&](const SurfaceTerm& term, const Vec3& d, double w) {
-      const Vec3 moved = d + (a * w) * step;
+      const Vec3 moved = d + w * displacement;
       const double nd = term.Normal.dot(moved);
-      total += term.Weight * (nd * nd + term.Tether * moved.squaredNorm());
+      total += term.Weight * (term.Stiffness * nd * nd + term.Tether * moved.squaredNorm());
     });
     return total;
   };
   for (int trial = 0; trial < 8; ++trial, alpha *= 0.4)
   {
-    if (energyAt(alpha) < energy)
+    Vec3 position = start + alpha * step;
+    if (locked)
     {
-      this->Mesh.Points[vertex] += alpha * step;
+      position = this->Features->Project(vertex, position);
+    }
+    if (energyAt(position - start) < energy)
+    {
+      this->Mesh.Points[vertex] = position;
       if (alpha * length > WakingStep * size)
       {
         this->ActivateAround(vertex);
@@ -318,5 +340,21 @@ bool HexOptimizer::MoveVertex(Index vertex, double regularization)
     }
   }
   return false;
+}
+
+bool HexOptimizer::TryMove(Index vertex, const Vec3& displacement)
+{
+  static thread_local std::vector<Corner> corners;
+  this->CollectCorners(vertex, 0.0, corners);
+  for (const Corner& corner : corners)
+  {
+    if (!(corner.D + corner.GradD.dot(displacement) > (1 - RatioTest) * corner.D))
+    {
+      return false;
+    }
+  }
+  this->Mesh.Points[vertex] += displacement;
+  this->ActivateAround(vertex);
+  return true;
 }
 }

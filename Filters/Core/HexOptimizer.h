@@ -5,6 +5,7 @@
 #ifndef featurehex_HexOptimizer_h
 #define featurehex_HexOptimizer_h
 
+#include "FeatureTargets.h"
 #include "HexStars.h"
 #include "VertexSchedule.h"
 
@@ -16,12 +17,14 @@ namespace featurehex
 /// Least of the eight corner determinants of a hex.
 double LeastCornerDeterminant(const HexMesh& mesh, Index hex);
 
-/// Weight ((n . d)^2 + Tether |d|^2) with d = (weighted mean of the vertices) - Target. Zero weight: absent.
+/// Weight (Stiffness (n . d)^2 + Tether |d|^2) with d = (weighted mean of the vertices) - Target. Zero weight:
+/// absent. A plane has Stiffness 1; a line along n Stiffness -1 and Tether 1; a point 0 and 1.
 struct SurfaceTerm
 {
   Vec3 Target = Vec3::Zero();
   Vec3 Normal = Vec3::Zero();
   double Weight = 0.0; ///< already divided by the square of the local size
+  double Stiffness = 1.0;
   double Tether = 0.0;
 };
 
@@ -62,6 +65,12 @@ public:
 
   /// Vertices that must not move.
   std::vector<bool> Fixed;
+
+  /// Locked vertices stay on their features; may be null. The caller keeps it alive.
+  const FeatureTargets* Features = nullptr;
+
+  /// Move the vertex by @a displacement if no corner determinant loses more than the ratio test allows.
+  bool TryMove(Index vertex, const Vec3& displacement);
 
   /// One sweep over the vertices marked active; a moved vertex marks its neighbours. Returns the number of
   /// vertices that moved. @a regularization: delta relative to the cube of the hex size, negative: the

@@ -102,9 +102,9 @@ private:
   std::vector<double> Sizes;
   std::vector<int> Counts;
 };
+}
 
-/// Renumber points along a Morton curve and hexes by their lowest point.
-void OrderInSpace(PaddedMesh& padded)
+std::vector<Index> OrderInSpace(PaddedMesh& padded)
 {
   const std::vector<Index> rank = MortonRank(padded.Mesh.Points);
   PaddedMesh sorted;
@@ -142,9 +142,10 @@ void OrderInSpace(PaddedMesh& padded)
     sorted.Region.push_back(padded.Region[h]);
     sorted.IsLayer.push_back(padded.IsLayer[h]);
     sorted.SourceHex.push_back(padded.SourceHex[h]);
+    sorted.SourceQuad.push_back(padded.SourceQuad[h]);
   }
   padded = std::move(sorted);
-}
+  return rank;
 }
 
 std::vector<Index> MortonRank(const std::vector<Vec3>& points)
@@ -228,11 +229,12 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
     return add(
       inner, v, offset.OnInterface(v) ? Vec3(p + offset(v, options.Thickness)) : p, false);
   };
-  const auto addHex = [&](const Hex& hex, Index source, bool layer) {
+  const auto addHex = [&](const Hex& hex, Index source, Index quad) {
     padded.Mesh.Hexes.push_back(hex);
     padded.Region.push_back(region[source]);
-    padded.IsLayer.push_back(layer);
+    padded.IsLayer.push_back(quad >= 0);
     padded.SourceHex.push_back(source);
+    padded.SourceQuad.push_back(quad);
   };
   for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
   {
@@ -243,11 +245,12 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
       {
         hex[k] = innerPoint(mesh.Hexes[h][k]);
       }
-      addHex(hex, static_cast<Index>(h), false);
+      addHex(hex, static_cast<Index>(h), -1);
     }
   }
-  for (const InterfaceQuad& quad : quads)
+  for (std::size_t q = 0; q < quads.size(); ++q)
   {
+    const InterfaceQuad& quad = quads[q];
     Hex hex;
     for (int k = 0; k < 4; ++k)
     {
@@ -255,7 +258,7 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
       hex[k] = innerPoint(v);
       hex[4 + k] = add(outer, v, mesh.Points[v], true);
     }
-    addHex(hex, quad.Inside, true);
+    addHex(hex, quad.Inside, static_cast<Index>(q));
   }
   OrderInSpace(padded);
   return Status();

@@ -17,8 +17,8 @@ struct PaddingOptions
   double Thickness = 0.1;
 };
 
-/// The bodies with their layer. Every boundary hex has exactly one quad on the boundary (face 1 of
-/// its layer hex). Connectivity is valid; some hexes may be inverted.
+/// The bodies with their layer. Every boundary hex has exactly one quad on the boundary.
+/// Connectivity is valid; some hexes may be inverted.
 struct PaddedMesh
 {
   /// Points along a Morton curve, hexes by their lowest point: near in space, near in memory.
@@ -27,6 +27,7 @@ struct PaddedMesh
   std::vector<char> IsLayer;       ///< per hex
   std::vector<Index> LayerHexes;   ///< ids of the layer hexes, ascending
   std::vector<Index> SourceHex;    ///< per hex that of the unpadded mesh (layer: the one it covers)
+  std::vector<Index> SourceQuad;   ///< per layer hex the interface quad it belongs to; -1: none
   std::vector<Index> SourcePoint;  ///< per point the point of the unpadded mesh (two share one)
   std::vector<char> OnBoundary;    ///< per point
 };
@@ -37,6 +38,9 @@ struct PaddedMesh
 /// (ComputeHexDomain makes manifolds).
 Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   const PaddingOptions& options, PaddedMesh& padded);
+
+/// Renumbers points along a Morton curve and hexes by their lowest point. Returns the new id of each point.
+std::vector<Index> OrderInSpace(PaddedMesh& padded);
 
 /// Rank of each point along a Morton (Z-order) curve of 2^21 steps a side through their box.
 /// Ties keep the order of the ids.

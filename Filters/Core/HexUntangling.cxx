@@ -32,7 +32,8 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
   report.InvertedBefore = report.InvertedAfter = countInverted();
   if (surface)
   {
-    SurfaceTerms(mesh, stars, *surface).UpdatePlanes(optimizer, options.SurfaceWeight);
+    SurfaceTerms(mesh, stars, *surface, options.Features)
+      .UpdatePlanes(optimizer, options.SurfaceWeight, options.SurfaceWeight);
   }
   else
   {

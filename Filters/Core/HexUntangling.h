@@ -5,6 +5,7 @@
 #ifndef featurehex_HexUntangling_h
 #define featurehex_HexUntangling_h
 
+#include "FeatureTargets.h"
 #include "HexStars.h"
 #include "Monitor.h"
 #include "SurfaceGeometry.h"
@@ -23,6 +24,8 @@ struct UntangleOptions
   int MaximumSweeps = 60;
   /// Of the terms that hold the boundary near the surface; without a surface the boundary is fixed.
   double SurfaceWeight = 1.0;
+  /// With a surface: where boundary vertices belong; may be null.
+  const FeatureTargets* Features = nullptr;
 };
 
 struct UntangleReport

@@ -280,6 +280,27 @@ const char* HexDefectName(HexDefect defect)
   return "Unknown";
 }
 
+namespace
+{
+void AddFeatureFigures(
+  const FeatureValidationReport& features, std::vector<std::pair<std::string, double>>& figures)
+{
+  const double unit = features.Diagonal > 0.0 ? 1.0 / features.Diagonal : 0.0;
+  figures.emplace_back("FeaturesCaptured", features.AllCaptured());
+  const auto add = [&](const std::string& one, const std::string& many, const FeatureTotals& t) {
+    figures.emplace_back(many + "Found", t.Found);
+    figures.emplace_back(many + "Enforced", t.Enforced);
+    figures.emplace_back(many + "Captured", t.Captured);
+    figures.emplace_back(one + "DeviationMaximum", t.Deviation * unit);
+  };
+  add("Corner", "Corners", features.CornerTotals());
+  add("Curve", "Curves", features.CurveTotals());
+  figures.emplace_back(
+    "CurveVertexDeviationMaximum", features.CurveTotals().VertexDeviation * unit);
+  add("Patch", "Patches", features.PatchTotals());
+}
+}
+
 bool HexValidationReport::PureConforming() const
 {
   return this->Topology.Conforming() && this->Topology.OrphanPoints == 0 &&
@@ -409,6 +430,10 @@ std::vector<std::pair<std::string, double>> HexValidationReport::Figures() const
     { "SurfaceArea", this->Input.Area },
   };
   f.insert(f.end(), compared.begin(), compared.end());
+  if (this->HasFeatures)
+  {
+    AddFeatureFigures(this->Features, f);
+  }
   return f;
 }
 
@@ -455,6 +480,12 @@ HexValidationReport ValidateHexMesh(const HexMesh& mesh, const SurfaceMesh* surf
     r.Distance = distance.Measure(
       mesh.Points, r.Topology.Boundary.Quads, r.Tolerance * r.Diagonal, monitor);
     MarkFarHexes(mesh, r, defects);
+    if (options.Features.OfSurface && options.Features.OfMesh && r.NonFinitePoints == 0)
+    {
+      r.HasFeatures = true;
+      r.Features = ValidateFeatures(
+        mesh, r.Topology.Boundary, *surface, options.Features, options.Tolerance);
+    }
   }
   CollectOffending(defects, r);
   if (monitor.Stopped())

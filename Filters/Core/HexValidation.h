@@ -6,6 +6,7 @@
 #define featurehex_HexValidation_h
 
 #include "CertifiedDistance.h"
+#include "FeatureValidation.h"
 #include "HexQuality.h"
 #include "MeshTopology.h"
 #include "Monitor.h"
@@ -22,6 +23,8 @@ struct HexValidationOptions
 {
   /// Allowed Hausdorff distance, fraction of the diagonal of the surface's bounding box.
   double Tolerance = 0.005;
+  /// Both null: features are not looked at. Needs a surface.
+  FeatureCorrespondence Features;
 };
 
 /// Why a hex is offending; several may apply. Values are stable: they are written to files.
@@ -79,6 +82,9 @@ struct HexValidationReport
   double Diagonal = 0.0;   ///< of the surface's bounding box, model units
   double Tolerance = 0.0;  ///< as in the options
 
+  bool HasFeatures = false;         ///< the features were checked
+  FeatureValidationReport Features; ///< no part of Valid(): the few that can't be met are listed
+
   std::vector<OffendingHex> Offending; ///< ascending
 
   bool PureConforming() const; ///< P1: conforming, no repeated id, no orphan or duplicate point
@@ -101,7 +107,7 @@ struct HexValidationReport
   std::vector<std::pair<std::string, double>> Figures() const;
 };
 
-/// Measures everything. @a surface may be null. Never fails: broken meshes, empty ones and ids out of
+/// Measures everything. @a surface may be null; features need the ids of its points. Never fails: broken meshes, empty ones and ids out of
 /// range give a report that is not Valid(). Parallel, the same bits for any number of threads.
 HexValidationReport ValidateHexMesh(const HexMesh& mesh, const SurfaceMesh* surface,
   const HexValidationOptions& options, Monitor& monitor);

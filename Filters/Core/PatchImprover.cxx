@@ -98,6 +98,7 @@ struct PatchImprover::Patch
   std::vector<double> Floors;  ///< 8 per hex
   std::vector<double> Sizes;   ///< mean edge length per vertex
   std::vector<EnvelopeContact> Contacts;
+  std::vector<Mat3> Freedoms;  ///< of each vertex: projection on the directions it may move in
   double Damping = 1e-3;
   double Limit = 0;
   Eigen::VectorXd Gradient;
@@ -121,17 +122,24 @@ struct PatchImprover::Patch
       {
         continue;
       }
-      this->Gradient.segment<3>(row) += gradient.segment<3>(3 * i);
+      const Mat3& freedom = this->Freedoms[row / 3];
+      this->Gradient.segment<3>(row) += freedom * gradient.segment<3>(3 * i);
       for (int j = 0; j < 4; ++j)
       {
         const int column = this->Row(vertices[j]);
-        for (int x = 0; column >= 0 && column <= row && x < 3; ++x)
+        if (column < 0 || column > row)
+        {
+          continue;
+        }
+        const Mat3 block =
+          freedom * hessian.block<3, 3>(3 * i, 3 * j) * this->Freedoms[column / 3];
+        for (int x = 0; x < 3; ++x)
         {
           for (int y = 0; y < 3; ++y)
           {
             if (row + x >= column + y)
             {
-              this->Hessian.emplace_back(row + x, column + y, hessian(3 * i + x, 3 * j + y));
+              this->Hessian.emplace_back(row + x, column + y, block(x, y));
             }
           }
         }
@@ -386,6 +394,17 @@ bool PatchImprover::Step(Patch& patch, double theta)
   {
     patch.Limit = std::max(patch.Limit, contact.Distance);
   }
+  const FeatureTargets* const features = this->Vertices.Features();
+  patch.Freedoms.assign(patch.Vertices.size(), Mat3::Identity());
+  for (std::size_t i = 0; features && i < patch.Vertices.size(); ++i)
+  {
+    const Index v = patch.Vertices[i];
+    for (int axis = 0; features->Locked(v) && axis < 3; ++axis)
+    {
+      patch.Freedoms[i].col(axis) =
+        features->Allowed(v, this->Mesh.Points[v], Mat3::Identity().col(axis));
+    }
+  }
   const double energy = this->Assemble(patch, theta);
   if (!(energy < 1e299) || !(patch.Gradient.norm() > 0))
   {
@@ -426,24 +445,29 @@ bool PatchImprover::Step(Patch& patch, double theta)
     }
     const Eigen::VectorXd step = -solver.solve(patch.Gradient);
     double relative = 0;
-    double longest = 0;
     for (std::size_t i = 0; i < patch.Vertices.size(); ++i)
     {
       const double length = step.segment<3>(3 * static_cast<Eigen::Index>(i)).norm();
       relative = std::max(relative, length / patch.Sizes[i]);
-      longest = std::max(longest, length);
     }
     double alpha = relative > LongestStep ? LongestStep / relative : 1.0;
     for (int trial = 0; trial < 6; ++trial, alpha *= 0.5)
     {
+      double shift = 0;
       for (std::size_t i = 0; i < patch.Vertices.size(); ++i)
       {
-        this->Mesh.Points[patch.Vertices[i]] =
-          start[i] + alpha * step.segment<3>(3 * static_cast<Eigen::Index>(i));
+        const Index v = patch.Vertices[i];
+        Vec3& p = this->Mesh.Points[v];
+        p = start[i] + alpha * step.segment<3>(3 * static_cast<Eigen::Index>(i));
+        if (features && features->Locked(v))
+        {
+          p = features->Project(v, p);
+        }
+        shift = std::max(shift, (p - start[i]).norm());
       }
       if (this->Energy(patch, theta) < energy - 1e-9 * std::abs(energy) &&
         this->Sound(patch, before) &&
-        this->Envelope.AcceptMove(quads, alpha * longest, patch.Limit))
+        this->Envelope.AcceptMove(quads, shift, patch.Limit))
       {
         patch.Damping = std::max(0.3 * patch.Damping, 1e-5);
         return true;

@@ -49,8 +49,8 @@ ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFitting
 {
 }
 
-Status ProvenFitting::Run(
-  HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor)
+Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
+  ProvenFittingReport& report, Monitor& monitor)
 {
   report = ProvenFittingReport();
   FittingOptions fitting;
@@ -59,7 +59,7 @@ Status ProvenFitting::Run(
   {
     SubMonitor part(monitor, 0.0, FittingShare);
     SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
-    Status status = FitHexes(mesh, stars, this->Surface, envelope, fitting, part);
+    Status status = FitHexes(mesh, stars, this->Surface, features, envelope, fitting, part);
     if (!status.Ok())
     {
       return monitor.Stopped() ? monitor.StopStatus() : status;
@@ -71,16 +71,18 @@ Status ProvenFitting::Run(
   {
     return monitor.StopStatus();
   }
-  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, report, monitor) : Status();
+  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, report, monitor)
+                               : Status();
 }
 
-Status ProvenFitting::ImproveAndProve(
-  HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor)
+Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
+  FeatureTargets* features, ProvenFittingReport& report, Monitor& monitor)
 {
   ImprovementOptions improvement;
   improvement.Tolerance = this->Options.Tolerance;
   improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
   improvement.MaximumRounds = this->Options.ImprovementRounds;
+  improvement.Features = features;
   const double width = (1 - FittingShare) / MaximumProofs;
   for (int proof = 0; proof < MaximumProofs; ++proof)
   {

@@ -45,13 +45,14 @@ public:
   /// Keeps the reference.
   ProvenFitting(const SurfaceGeometry& surface, const ProvenFittingOptions& options);
 
-  Status Run(
-    HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor);
+  /// @a features may be null.
+  Status Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
+    ProvenFittingReport& report, Monitor& monitor);
 
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
-  Status ImproveAndProve(
-    HexMesh& mesh, const HexStars& stars, ProvenFittingReport& report, Monitor& monitor);
+  Status ImproveAndProve(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
+    ProvenFittingReport& report, Monitor& monitor);
 
   const SurfaceGeometry& Surface;
   ProvenFittingOptions Options;

@@ -37,6 +37,7 @@ enum class StatusCode
   Distance,          ///< the boundary leaves the tolerance
   Validation,        ///< the finished mesh broke a promise
   OutOfMemory,       ///< an allocation failed
+  Features,          ///< a corner, curve or patch of the surface could not be mapped to the mesh
   Unexpected         ///< a stage broke its promise, a library threw: a defect of the program
 };
 
@@ -64,7 +65,7 @@ inline const char* StatusCodeName(StatusCode code)
     "UnreadableFile", "UnwritableFile", "EmptySurface", "NonFinite", "IndexOutOfRange",
     "Degenerate", "OpenBoundary", "NonManifold", "NotOrientable", "SelfIntersection",
     "InvalidMesh", "Topology", "Untangling", "Distance", "Validation", "OutOfMemory",
-    "Unexpected" };
+    "Features", "Unexpected" };
   return names[static_cast<int>(code)];
 }
 }

@@ -48,29 +48,39 @@ QuadTerm ReverseTerm(const EnvelopeContact& contact, double size, double weight)
 }
 }
 
-SurfaceTerms::SurfaceTerms(const HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface)
+SurfaceTerms::SurfaceTerms(const HexMesh& mesh, const HexStars& stars,
+  const SurfaceGeometry& surface, const FeatureTargets* features)
   : Mesh(mesh)
   , Stars(stars)
   , Surface(surface)
+  , Features(features)
   , VertexHints(mesh.Points.size(), -1)
   , QuadHints(stars.Quads.size(), -1)
 {
 }
 
-void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight)
+void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight, double featureWeight)
 {
   ParallelFor(this->Mesh.Points.size(), 512, [&](std::size_t v) {
-    if (this->Stars.OnBoundary(static_cast<Index>(v)))
+    const Index vertex = static_cast<Index>(v);
+    const double size = optimizer.SizeAt(vertex);
+    if (this->Features && this->Features->OnFeature(vertex))
     {
-      optimizer.VertexTerms[v] = PlaneTerm(this->Surface, this->Mesh.Points[v],
-        this->VertexHints[v], optimizer.SizeAt(static_cast<Index>(v)), weight);
+      optimizer.VertexTerms[v] = this->FeatureTerm(vertex, size, featureWeight);
+    }
+    else if (this->Stars.OnBoundary(vertex))
+    {
+      optimizer.VertexTerms[v] =
+        PlaneTerm(this->Features ? this->Features->PatchAt(vertex, this->Surface) : this->Surface,
+          this->Mesh.Points[v], this->VertexHints[v], size, weight);
     }
   });
   ParallelFor(this->Stars.Quads.size(), 512, [&](std::size_t q) {
     const Vec3 center = this->Center(q);
     QuadTerm& term = optimizer.CentroidTerms[q];
     term.Term =
-      PlaneTerm(this->Surface, center, this->QuadHints[q], this->QuadSize(optimizer, q), weight);
+      PlaneTerm(this->Features ? this->Features->PatchOfQuad(static_cast<Index>(q)) : this->Surface,
+        center, this->QuadHints[q], this->QuadSize(optimizer, q), weight);
     term.Term.Tether = 0;
   });
 }
@@ -83,6 +93,31 @@ void SurfaceTerms::UpdateReverse(HexOptimizer& optimizer, const SurfaceEnvelope&
     optimizer.ReverseTerms[q] =
       worst.Quad < 0 ? QuadTerm() : ReverseTerm(worst, this->QuadSize(optimizer, q), weight);
   });
+}
+
+SurfaceTerm SurfaceTerms::FeatureTerm(Index v, double size, double weight) const
+{
+  const Vec3& p = this->Mesh.Points[v];
+  SurfaceTerm term;
+  term.Target = this->Features->Project(v, p);
+  term.Stiffness = 0;
+  term.Tether = 1;
+  if (this->Features->KindOf(v) == FeatureKind::Curve)
+  {
+    const CurvePoint closest = this->Features->OnCurve(v, p);
+    term.Target = closest.Point;
+    term.Normal = closest.Tangent;
+    term.Stiffness = -1;
+    term.Tether = 1 + Tether;
+  }
+  const Vec3 toTarget = term.Target - p;
+  const double distance = toTarget.norm();
+  if (distance > TargetReach * size)
+  {
+    term.Target = p + toTarget * (TargetReach * size / distance);
+  }
+  term.Weight = weight / (size * size);
+  return term;
 }
 
 Vec3 SurfaceTerms::Center(std::size_t q) const

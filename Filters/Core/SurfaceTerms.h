@@ -14,12 +14,15 @@ namespace featurehex
 class SurfaceTerms
 {
 public:
-  /// Keeps references.
-  SurfaceTerms(const HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface);
+  /// Keeps references. @a features may be null: then the whole surface is the target of all.
+  SurfaceTerms(const HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
+    const FeatureTargets* features = nullptr);
 
-  /// Each boundary vertex and the centre of each boundary quad gets the tangent plane at its closest surface
-  /// point; far from the surface, a target in that direction.
-  void UpdatePlanes(HexOptimizer& optimizer, double weight);
+  /// Each boundary vertex and the centre of each boundary quad gets the tangent plane at the closest point of the
+  /// surface, with features of its patch; far from it, a target in that direction. Feature vertices
+  /// get their corner or the tangent of their curve.
+  /// @a featureWeight: of corners and curves.
+  void UpdatePlanes(HexOptimizer& optimizer, double weight, double featureWeight);
 
   /// Each quad is drawn to the sample of the input that is farthest from it. @a threshold (model units):
   /// closer samples exert no pull.
@@ -28,11 +31,13 @@ public:
 
 private:
   Vec3 Center(std::size_t q) const;
+  SurfaceTerm FeatureTerm(Index v, double size, double weight) const;
   double QuadSize(const HexOptimizer& optimizer, std::size_t q) const;
 
   const HexMesh& Mesh;
   const HexStars& Stars;
   const SurfaceGeometry& Surface;
+  const FeatureTargets* Features;
   std::vector<Index> VertexHints;
   std::vector<Index> QuadHints;
 };

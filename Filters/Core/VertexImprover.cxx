@@ -268,6 +268,14 @@ struct VertexImprover::Star
   std::vector<Pull> Pulls;
   std::vector<EnvelopeContact> Contacts;
   double Limit = 0; ///< the envelope's, or the distance now where that is beyond
+  bool Slides = false; ///< locked on a curve ...
+  Vec3 Tangent = Vec3::Zero(); ///< ... that runs in this direction
+
+  /// The part of a direction in which the vertex may move.
+  Vec3 Allowed(const Vec3& direction) const
+  {
+    return this->Slides ? Vec3(this->Tangent.dot(direction) * this->Tangent) : direction;
+  }
 };
 
 /// How contacts pull: weight, and the share of the limit from which they do.
@@ -287,11 +295,13 @@ struct VertexImprover::Model
 const VertexImprover::PullLaw VertexImprover::BarrierPull = { 10.0, 0.8 };
 
 VertexImprover::VertexImprover(
-  HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit)
+  HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit,
+  FeatureTargets* features)
   : Mesh(mesh)
   , Stars(stars)
   , Envelope(envelope)
   , EnvelopeLimit(limit)
+  , FeaturesOfMesh(features)
   , Lengths(mesh.Points.size(), 0.0)
 {
   for (Index v = 0; v < stars.Hexes.size(); ++v)
@@ -310,9 +320,33 @@ VertexImprover::VertexImprover(
   }
 }
 
+/// A vertex that has reached its corner.
+bool VertexImprover::Pinned(Index vertex) const
+{
+  return this->FeaturesOfMesh && this->FeaturesOfMesh->Locked(vertex) &&
+    this->FeaturesOfMesh->KindOf(vertex) == FeatureKind::Corner;
+}
+
+/// On the patch of the vertex, or on the whole surface when it has none.
+TrianglePoint VertexImprover::ClosestOnSurface(
+  Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal) const
+{
+  const bool matched =
+    this->FeaturesOfMesh && this->FeaturesOfMesh->KindOf(vertex) == FeatureKind::Surface;
+  const SurfaceGeometry& target = matched ? this->FeaturesOfMesh->PatchAt(vertex, surface) : surface;
+  const TrianglePoint closest = target.Search().Closest(p);
+  normal = target.Search().Normal(closest.Triangle);
+  return closest;
+}
+
 void VertexImprover::Gather(Index vertex, Star& star) const
 {
   star.Position = this->Mesh.Points[vertex];
+  star.Slides = this->FeaturesOfMesh && this->FeaturesOfMesh->Locked(vertex);
+  if (star.Slides)
+  {
+    star.Tangent = this->FeaturesOfMesh->OnCurve(vertex, star.Position).Tangent;
+  }
   star.Length = this->Lengths[vertex];
   star.Shortest = 1e300;
   star.Least = 2;
@@ -405,7 +439,11 @@ bool VertexImprover::Search(
   double alpha = 1;
   for (int trial = 0; trial < trials; ++trial, alpha *= 0.5)
   {
-    const Vec3 position = star.Position + alpha * step;
+    Vec3 position = star.Position + alpha * step;
+    if (star.Slides)
+    {
+      position = this->FeaturesOfMesh->Project(vertex, position);
+    }
     if (!accept(position))
     {
       continue;
@@ -424,8 +462,8 @@ bool VertexImprover::Search(
     }
     if (sound &&
       (!this->Stars.OnBoundary(vertex) ||
-        this->Envelope.AcceptMove(
-          this->Stars.QuadsOfVertex[vertex], alpha * step.norm(), star.Limit)))
+        this->Envelope.AcceptMove(this->Stars.QuadsOfVertex[vertex],
+          (position - star.Position).norm(), star.Limit)))
     {
       return true;
     }
@@ -436,6 +474,10 @@ bool VertexImprover::Search(
 
 bool VertexImprover::RaiseMinimum(Index vertex)
 {
+  if (this->Pinned(vertex))
+  {
+    return false;
+  }
   static thread_local Star star;
   this->Gather(vertex, star);
   this->GatherPulls(vertex, NearLimit * this->EnvelopeLimit, star);
@@ -450,14 +492,14 @@ bool VertexImprover::RaiseMinimum(Index vertex)
   {
     if (corner.Value < star.Least + 0.4)
     {
-      values.push_back({ corner.Value, corner.Gradient(star.Position) });
+      values.push_back({ corner.Value, star.Allowed(corner.Gradient(star.Position)) });
     }
   }
   const double scale = 2 / this->EnvelopeLimit;
   for (const Pull& pull : star.Pulls)
   {
     values.push_back({ star.Least + scale * std::max(0.0, star.Limit - pull.Distance),
-      -scale * pull.Gradient });
+      star.Allowed(-scale * pull.Gradient) });
   }
 
   // Proximal step d = rho sum(lambda g), lambda on the simplex minimising rho/2 |sum lambda g|^2 + sum lambda s:
@@ -568,7 +610,16 @@ double VertexImprover::WithPulls(
 /// Newton step of the model, limited by the shortest edge; zero when shorter than @a least mean edge lengths.
 Vec3 VertexImprover::StepOf(const Model& model, const Star& star, double least)
 {
-  const Vec3 step = ModifiedNewtonStep(model.Hessian, model.Gradient);
+  Vec3 step;
+  if (star.Slides)
+  {
+    const double curvature = std::abs(star.Tangent.dot(model.Hessian * star.Tangent));
+    step = -star.Allowed(model.Gradient) / std::max(curvature, 1e-30);
+  }
+  else
+  {
+    step = ModifiedNewtonStep(model.Hessian, model.Gradient);
+  }
   const double length = step.norm();
   if (!(length >= least * star.Length))
   {
@@ -579,6 +630,10 @@ Vec3 VertexImprover::StepOf(const Model& model, const Star& star, double least)
 
 bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& parameters)
 {
+  if (this->Pinned(vertex))
+  {
+    return false;
+  }
   static thread_local Star star;
   this->Gather(vertex, star);
   if (star.Least >= parameters.Theta)
@@ -625,6 +680,10 @@ bool VertexImprover::PushBarrier(Index vertex, const BarrierParameters& paramete
 
 bool VertexImprover::DrawInside(Index vertex, double weight)
 {
+  if (this->Pinned(vertex))
+  {
+    return false;
+  }
   static thread_local Star star;
   this->Gather(vertex, star);
   this->GatherPulls(vertex, DrawNearLimit * this->EnvelopeLimit, star);
@@ -644,6 +703,10 @@ bool VertexImprover::DrawInside(Index vertex, double weight)
 
 bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor)
 {
+  if (this->Pinned(vertex))
+  {
+    return false;
+  }
   static thread_local Star star;
   this->Gather(vertex, star);
   Model model = DistortionModel(star);
@@ -655,8 +718,7 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
     // Beyond the limit already: it may stay there, if the distance is known.
     const double bound = this->Envelope.BoundAround(vertex);
     star.Limit = std::max(star.Limit, bound < 1e300 ? bound : 0.0);
-    anchor = surface.Search().Closest(star.Position);
-    normal = surface.Search().Normal(anchor.Triangle);
+    anchor = this->ClosestOnSurface(vertex, star.Position, surface, normal);
     weight = AveragePull * star.Corners.size() / (star.Length * star.Length);
     model.Gradient += 2 * weight * normal.dot(star.Position - anchor.Point) * normal;
     model.Hessian += 2 * weight * normal * normal.transpose();
@@ -684,11 +746,23 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
 
 bool VertexImprover::Project(Index vertex, const SurfaceGeometry& surface, double floor)
 {
+  FeatureTargets* const features = this->FeaturesOfMesh;
+  const bool onFeature = features && features->OnFeature(vertex);
+  if (onFeature && features->Locked(vertex))
+  {
+    return true;
+  }
   static thread_local Star star;
   this->Gather(vertex, star);
-  const Vec3 target = surface.Search().Closest(star.Position).Point;
+  Vec3 normal;
+  const Vec3 target = onFeature ? features->Project(vertex, star.Position)
+                                : this->ClosestOnSurface(vertex, star.Position, surface, normal).Point;
   if (target == star.Position)
   {
+    if (onFeature)
+    {
+      features->Lock(vertex);
+    }
     return true;
   }
   const double lowest = std::min(star.Least, floor) - 1e-12;
@@ -703,6 +777,13 @@ bool VertexImprover::Project(Index vertex, const SurfaceGeometry& surface, doubl
     return true;
   });
   // The whole step lands on the target, up to the rounding of one addition.
-  return moved && (this->Mesh.Points[vertex] - target).norm() <= 1e-12 * surface.Diagonal();
+  const bool arrived =
+    moved && (this->Mesh.Points[vertex] - target).norm() <= 1e-12 * surface.Diagonal();
+  if (arrived && onFeature)
+  {
+    this->Mesh.Points[vertex] = target;
+    features->Lock(vertex);
+  }
+  return arrived;
 }
 }

@@ -5,6 +5,7 @@
 #ifndef featurehex_VertexImprover_h
 #define featurehex_VertexImprover_h
 
+#include "FeatureTargets.h"
 #include "HexStars.h"
 #include "SurfaceEnvelope.h"
 
@@ -36,7 +37,9 @@ class VertexImprover
 {
 public:
   /// Keeps references. @a limit: largest sampled distance (model units) that a move may reach.
-  VertexImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit);
+  /// @a features: locked vertices stay on them; may be null.
+  VertexImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit,
+    FeatureTargets* features = nullptr);
 
   /// Raise the smallest scaled Jacobian round the vertex: steepest ascent of the minimum by a proximal bundle.
   bool RaiseMinimum(Index vertex);
@@ -50,8 +53,11 @@ public:
   /// Newton step on the distortion near the surface; corners stay above min(their value, floor).
   bool RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor);
 
-  /// Move towards the closest surface point; corners stay above min(their value, floor). True: it got there.
+  /// Move towards the closest surface point (of its patch), or to its corner or curve, where it is then locked;
+  /// corners of hexes stay above min(their value, floor). True: it got there.
   bool Project(Index vertex, const SurfaceGeometry& surface, double floor);
+
+  const FeatureTargets* Features() const { return this->FeaturesOfMesh; }
 
   double Limit() const { return this->EnvelopeLimit; }
 
@@ -70,6 +76,9 @@ private:
   static Vec3 StepOf(const Model& model, const Star& star, double least);
   void AddPulls(const Star& star, const PullLaw& law, Model& model) const;
   double WithPulls(double energy, const Star& star, const PullLaw& law, const Vec3& x) const;
+  bool Pinned(Index vertex) const;
+  TrianglePoint ClosestOnSurface(
+    Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal) const;
   void Gather(Index vertex, Star& star) const;
   void GatherPulls(Index vertex, double threshold, Star& star);
   template <typename Accept>
@@ -79,6 +88,7 @@ private:
   const HexStars& Stars;
   SurfaceEnvelope& Envelope;
   double EnvelopeLimit;
+  FeatureTargets* FeaturesOfMesh;
   std::vector<double> Lengths; ///< mean edge length at each vertex at the start
 };
 }

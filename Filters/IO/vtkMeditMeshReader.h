@@ -11,6 +11,10 @@
  * <b>Output:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON with the cell array
  * - Region (int, 1 component): reference of the hexahedron, the body it belongs to.
  *
+ * Where the file has quadrilaterals, features as vtkFeatureHexMesher gives them: point arrays
+ * FeatureKind and FeatureId (references of quads: patches, of edges: curves, of points in Corners:
+ * corners), field data FeatureQuads and FeatureEdges.
+ *
  * With BoundaryElements also the quadrilaterals as VTK_QUAD, the edges as VTK_LINE and the corners
  * as VTK_VERTEX, all after the hexahedra (Region is 0 on them), and
  * - PatchId (int): reference of the quad, -1 on other cells;

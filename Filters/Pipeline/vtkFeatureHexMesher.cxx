@@ -4,7 +4,9 @@
 #include "ArrayNames.h"
 #include "BoundaryPatches.h"
 #include "DataConversion.h"
+#include "FeatureConversion.h"
 #include "FeatureHexMesher.h"
+#include "HexFeatureConversion.h"
 #include "StageCheck.h"
 #include "vtkFeatureHexVersion.h"
 
@@ -12,6 +14,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -84,6 +87,9 @@ FigureRow Statistics(const MeshingOptions& options, double timeLimit, const Mesh
   row.Numbers.emplace_back("OptionMinimumScaledJacobian", options.MinimumScaledJacobian);
   row.Numbers.emplace_back("OptionAlignToPrincipalAxes", options.AlignToPrincipalAxes);
   row.Numbers.emplace_back("OptionMaximumRounds", options.MaximumRounds);
+  row.Numbers.emplace_back("OptionFeatureMode", static_cast<double>(options.Features.Mode));
+  row.Numbers.emplace_back("OptionFeatureAngle", options.Features.Detection.FeatureAngle);
+  row.Numbers.emplace_back("OptionEnforceAllFeatures", options.Features.EnforceAll);
   row.Numbers.emplace_back("OptionTimeLimit", timeLimit);
 
   std::string reasons;
@@ -95,7 +101,8 @@ FigureRow Statistics(const MeshingOptions& options, double timeLimit, const Mesh
     }
   }
   row.Texts = { { "RoundReasons", reasons }, { "SurfaceRepairs", Join(result.Check.Warnings) },
-    { "Version", vtkFeatureHexVersion::GetVersion() } };
+    { "FeatureRepairs", Join(result.FeatureReport.Notes) },
+    { "FeaturesMissed", result.Validation.Features.Complaint() }, { "Version", vtkFeatureHexVersion::GetVersion() } };
   return row;
 }
 
@@ -118,7 +125,7 @@ std::vector<Index> ComponentOfInputTriangle(const SurfaceCheckReport& check)
 vtkFeatureHexMesher::vtkFeatureHexMesher()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(4);
+  this->SetNumberOfOutputPorts(5);
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +134,7 @@ vtkFeatureHexMesher::~vtkFeatureHexMesher() = default;
 //------------------------------------------------------------------------------
 int vtkFeatureHexMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkPointSet");
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -138,16 +145,15 @@ int vtkFeatureHexMesher::FillInputPortInformation(int port, vtkInformation* info
 //------------------------------------------------------------------------------
 int vtkFeatureHexMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[] = { "vtkUnstructuredGrid", "vtkPolyData", "vtkPolyData", "vtkTable" };
+  const char* types[] = { "vtkUnstructuredGrid", "vtkPolyData", "vtkPolyData", "vtkTable",
+    "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
 
 //------------------------------------------------------------------------------
-featurehex::Status vtkFeatureHexMesher::Compute(
-  vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
+featurehex::MeshingOptions vtkFeatureHexMesher::Options() const
 {
-  this->WarnAboutFeatures(inputs[1]);
   MeshingOptions options;
   options.Tolerance = this->Tolerance;
   options.TargetEdgeLength = this->TargetEdgeLength;
@@ -156,11 +162,73 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   options.MinimumScaledJacobian = this->MinimumScaledJacobian;
   options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;
   options.MaximumRounds = this->MaximumRounds;
-  monitor.SetTimeLimit(this->TimeLimit);
+  return options;
+}
 
+//------------------------------------------------------------------------------
+featurehex::Status vtkFeatureHexMesher::ReadFeatures(const featurehex::SurfaceMesh& surface,
+  vtkInformationVector* input, featurehex::FeatureInput& features)
+{
+  vtkPointSet* given = vtkPointSet::GetData(input);
+  features.EnforceAll = this->EnforceAllFeatures;
+  features.Detection.FeatureAngle = this->FeatureAngle;
+  features.Mode = this->FeatureMode == FeaturesByAngle ? featurehex::FeatureMode::Angle
+    : this->FeatureMode == FeaturesOfAnnotation && given ? featurehex::FeatureMode::Given
+                                                         : featurehex::FeatureMode::None;
+  if (!given || features.Mode == featurehex::FeatureMode::None)
+  {
+    return Status();
+  }
+  FeatureAnnotation annotation;
+  Index otherCells = 0;
+  Status status = AnnotationFromPointSet(surface, given, annotation, otherCells);
+  if (otherCells > 0)
+  {
+    vtkWarningMacro(<< otherCells
+                    << " cells of the annotation are neither lines nor vertices and are ignored.");
+  }
+  features.Edges = std::move(annotation.Edges);
+  features.Corners = std::move(annotation.Corners);
+  // A graph that lists its corners has all of them.
+  if (features.Mode == featurehex::FeatureMode::Given &&
+    given->GetCellData()->HasArray(ArrayNames::CornerId))
+  {
+    features.CornerAngle = 0.0;
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void vtkFeatureHexMesher::Warn(const featurehex::MeshingResult& result)
+{
+  if (!result.Check.Warnings.empty())
+  {
+    vtkWarningMacro("The surface was repaired: " << Join(result.Check.Warnings));
+  }
+  if (!result.FeatureReport.Warnings.empty())
+  {
+    vtkWarningMacro(<< Join(result.FeatureReport.Warnings));
+  }
+  const std::string missed = result.Validation.Features.Complaint();
+  if (!missed.empty())
+  {
+    vtkWarningMacro(<< "The mesh is valid, but not all features are met: " << missed << ".");
+  }
+}
+
+//------------------------------------------------------------------------------
+featurehex::Status vtkFeatureHexMesher::Compute(
+  vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
+{
+  MeshingOptions options = this->Options();
+  monitor.SetTimeLimit(this->TimeLimit);
   const SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
+  Status status = this->ReadFeatures(surface, inputs[1], options.Features);
   MeshingResult result;
-  Status status = MeshSurface(surface, options, monitor, result);
+  if (status.Ok())
+  {
+    status = MeshSurface(surface, options, monitor, result);
+  }
   const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
   if (status.Ok())
   {
@@ -178,23 +246,33 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   {
     return status;
   }
-  if (!result.Check.Warnings.empty())
-  {
-    vtkWarningMacro("The surface was repaired: " << Join(result.Check.Warnings));
-  }
+  this->Warn(result);
 
+  if (result.Features.Empty())
+  {
+    result.Features.PatchOfQuad =
+      PatchesOfShells(result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check));
+  }
   vtkUnstructuredGrid* mesh = vtkUnstructuredGrid::GetData(outputs, 0);
   GridFromMesh(result.Mesh, mesh);
+  AddLabels(
+    FeatureLabels(result.Features, quads, result.Mesh.Points.size()), mesh->GetPointData());
   AddArray(mesh->GetCellData(), ArrayNames::Region, result.Region);
   AddArray(mesh->GetCellData(), ArrayNames::Level, result.Level);
   AddArray(mesh->GetCellData(), ArrayNames::ScaledJacobian, result.Validation.ScaledJacobians);
 
   vtkPolyData* boundary = vtkPolyData::GetData(outputs, 1);
   PolyDataFromQuads(result.Mesh.Points, quads, boundary);
-  AddArray(boundary->GetCellData(), ArrayNames::PatchId,
-    PatchesOfShells(result.Mesh.Points, quads, surface, ComponentOfInputTriangle(result.Check)));
+  AddArray(boundary->GetCellData(), ArrayNames::PatchId, result.Features.PatchOfQuad);
   AddArray(boundary->GetCellData(), ArrayNames::Deviation, result.Validation.Distance.Deviation);
 
+  if (result.Validation.HasFeatures)
+  {
+    PolyDataFromHexFeatures(result.Mesh.Points, result.Features, result.Validation.Features,
+      vtkPolyData::GetData(outputs, 2));
+    AddElements(result.Features, quads, mesh->GetFieldData());
+    TableFromFindings(result.Validation.Features, vtkTable::GetData(outputs, 4));
+  }
   const FigureRow row = Statistics(options, this->TimeLimit, result);
   row.Write(mesh->GetFieldData());
   row.Write(vtkTable::GetData(outputs, 3));
@@ -212,5 +290,8 @@ void vtkFeatureHexMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << "\n";
   os << indent << "AlignToPrincipalAxes: " << (this->AlignToPrincipalAxes ? "on" : "off") << "\n";
   os << indent << "MaximumRounds: " << this->MaximumRounds << "\n";
+  os << indent << "FeatureMode: " << this->FeatureMode << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "EnforceAllFeatures: " << (this->EnforceAllFeatures ? "on" : "off") << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
 }

@@ -120,7 +120,7 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.FittingIterations = this->FittingIterations;
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
-  status = ProvenFitting(surface, options).Run(mesh, stars, report, monitor);
+  status = ProvenFitting(surface, options).Run(mesh, stars, nullptr, report, monitor);
   const std::vector<Vec3>& places = report.Places;
   if (status.Ok())
   {

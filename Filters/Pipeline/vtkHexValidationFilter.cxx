@@ -3,6 +3,9 @@
 
 #include "ArrayNames.h"
 #include "DataConversion.h"
+#include "FeatureConversion.h"
+#include "FeatureRecovery.h"
+#include "HexFeatureConversion.h"
 #include "HexValidation.h"
 #include "StageCheck.h"
 
@@ -55,13 +58,35 @@ void AddDefects(const HexMesh& mesh, const HexValidationReport& report, vtkUnstr
   AddArray(offending->GetCellData(), ArrayNames::Reason, reasons);
   AddArray(offending->GetCellData(), ArrayNames::OriginalCellId, ids);
 }
+
+/// The features of the surface, and those that the labels of the mesh name.
+Status ReadFeatures(vtkUnstructuredGrid* input, const HexMesh& mesh, const SurfaceMesh& surface,
+  vtkPolyData* graph, SurfaceFeatures& ofSurface, HexFeatures& ofMesh)
+{
+  if (surface.Triangles.empty())
+  {
+    return Status(StatusCode::InvalidOption,
+      "Features can only be measured together with the surface they belong to (input 1).");
+  }
+  FeatureLabels labels;
+  Status status = LabelsFromGrid(input, labels);
+  if (status.Ok())
+  {
+    status = FeaturesFromPolyData(surface, graph, ofSurface);
+  }
+  if (status.Ok())
+  {
+    ofMesh = RecoverFeatures(mesh, ExtractBoundary(mesh), surface, ofSurface, labels);
+  }
+  return status;
+}
 } // namespace
 
 //------------------------------------------------------------------------------
 vtkHexValidationFilter::vtkHexValidationFilter()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -82,7 +107,7 @@ int vtkHexValidationFilter::FillInputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 int vtkHexValidationFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  const char* types[] = { "vtkUnstructuredGrid", "vtkTable", "vtkUnstructuredGrid" };
+  const char* types[] = { "vtkUnstructuredGrid", "vtkTable", "vtkUnstructuredGrid", "vtkTable" };
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
@@ -91,7 +116,6 @@ int vtkHexValidationFilter::FillOutputPortInformation(int port, vtkInformation* 
 featurehex::Status vtkHexValidationFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
-  this->WarnAboutFeatures(inputs[2]);
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
   monitor.BeginPhase("checking the hexes");
   HexMesh mesh;
@@ -102,12 +126,23 @@ featurehex::Status vtkHexValidationFilter::Compute(
   {
     status = CheckedSurface(surfaceData, surface, monitor);
   }
+  HexValidationOptions options;
+  options.Tolerance = this->Tolerance;
+  SurfaceFeatures ofSurface;
+  HexFeatures ofMesh;
+  if (vtkPolyData* graph = vtkPolyData::GetData(inputs[2]); graph && status.Ok())
+  {
+    status = ReadFeatures(input, mesh, surface, graph, ofSurface, ofMesh);
+    options.Features = { &ofSurface, &ofMesh };
+    for (FeatureCorner& corner : ofSurface.Corners)
+    {
+      corner.Flaw = this->EnforceAllFeatures ? CornerFlaw::None : corner.Flaw;
+    }
+  }
   if (!status.Ok())
   {
     return status;
   }
-  HexValidationOptions options;
-  options.Tolerance = this->Tolerance;
   const HexValidationReport report =
     ValidateHexMesh(mesh, surfaceData ? &surface : nullptr, options, monitor);
   if (!report.Result.Ok() && report.Result.Code != StatusCode::Validation)
@@ -129,6 +164,11 @@ featurehex::Status vtkHexValidationFilter::Compute(
   FigureRow row;
   row.Numbers = report.Figures();
   row.Texts = { { "Verdict", report.Result.Ok() ? "valid" : report.Result.Message } };
+  if (report.HasFeatures)
+  {
+    row.Texts.push_back({ "FeaturesMissed", report.Features.Complaint() });
+    TableFromFindings(report.Features, vtkTable::GetData(outputs, 3));
+  }
   row.Write(output->GetFieldData());
   row.Write(vtkTable::GetData(outputs, 1));
   return Status();
@@ -139,4 +179,5 @@ void vtkHexValidationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "EnforceAllFeatures: " << (this->EnforceAllFeatures ? "on" : "off") << "\n";
 }

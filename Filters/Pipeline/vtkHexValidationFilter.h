@@ -13,7 +13,9 @@
  * <b>Input 1 (optional):</b> vtkPolyData, the surface (triangles, strips or polygons): closed,
  * without self-intersections; vtkSurfaceFeatureFilter says what that means.
  *
- * <b>Input 2 (optional):</b> vtkPolyData, feature graph. Not used yet: a warning says so.
+ * <b>Input 2 (optional):</b> vtkPolyData, the feature graph of the surface, from vtkFeatureGraphReader
+ * or output 1 of vtkSurfaceFeatureFilter. Whether the mesh reproduces it is measured by the point
+ * arrays FeatureKind and FeatureId of input 0, which vtkFeatureHexMesher makes. Needs input 1.
  *
  * <b>Output 0:</b> vtkUnstructuredGrid, the mesh with its arrays. Cells: ScaledJacobian (double,
  * smallest of the 8 corners, -1 for a broken hex), Certified (int, 1: Jacobian proven positive in
@@ -24,10 +26,17 @@
  * are fractions of the bounding-box diagonal, MeshToSurface… and SurfaceToMesh… too; areas and
  * volumes in model units.
  *
+ * With features also FeaturesCaptured (no part of Valid), and of CornersFound, CornersEnforced,
+ * CornersCaptured, CornerDeviationMaximum (fraction of the diagonal) and the same for curves and
+ * patches.
+ *
  * <b>Output 2:</b> vtkUnstructuredGrid, the offending hexes with their arrays. Cells: Defects,
  * Reason (string: NonFinitePoint, RepeatedId, DuplicateHex, NonPositiveCorner, NotCertified,
  * OverusedFace, TwistedFace, MisorientedFace, NonManifoldBoundary, SelfIntersecting,
  * BeyondTolerance), OriginalCellId (int).
+ *
+ * <b>Output 3:</b> vtkTable, one row for each corner, curve and patch: output 4 of
+ * vtkFeatureHexMesher. Empty without features.
  *
  * <b>Guarantees:</b> bounds are proven, not sampled (mean distances are sampled).
  *
@@ -70,6 +79,16 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Corners of the feature graph where more than six curves, or two at less than 30 degrees meet, count
+   * like others. As it was when the mesh was made. Default: off.
+   */
+  vtkSetMacro(EnforceAllFeatures, bool);
+  vtkGetMacro(EnforceAllFeatures, bool);
+  vtkBooleanMacro(EnforceAllFeatures, bool);
+  ///@}
+
 protected:
   vtkHexValidationFilter();
   ~vtkHexValidationFilter() override;
@@ -84,6 +103,7 @@ private:
   void operator=(const vtkHexValidationFilter&) = delete;
 
   double Tolerance = 0.005;
+  bool EnforceAllFeatures = false;
 };
 
 #endif

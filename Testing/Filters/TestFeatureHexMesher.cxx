@@ -2,12 +2,17 @@
 #include "FilterChecks.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCubeSource.h"
 #include "vtkFeatureHexMesher.h"
+#include "vtkHexMeshReader.h"
+#include "vtkHexMeshWriter.h"
+#include "vtkHexValidationFilter.h"
 #include "vtkReverseSense.h"
 #include "vtkStripper.h"
 #include "vtkTriangleFilter.h"
 
 #include <chrono>
+#include <cstdio>
 #include <set>
 
 using namespace FilterChecks;
@@ -27,6 +32,55 @@ vtkSmartPointer<vtkFeatureHexMesher> CoarseMesher(vtkPolyData* surface)
 vtkUnstructuredGrid* MeshOf(vtkAlgorithm* mesher)
 {
   return vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
+}
+vtkSmartPointer<vtkPolyData> Cube()
+{
+  vtkNew<vtkCubeSource> source;
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// The 12 edges of Cube() as lines between points of their own.
+vtkSmartPointer<vtkPolyData> EdgesOfCube()
+{
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      double p[3];
+      p[axis] = -0.5;
+      p[(axis + 1) % 3] = k % 2 - 0.5;
+      p[(axis + 2) % 3] = k / 2 - 0.5;
+      const vtkIdType a = points->InsertNextPoint(p);
+      p[axis] = 0.5;
+      cells->InsertNextCell({ a, points->InsertNextPoint(p) });
+    }
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  return lines;
+}
+
+double TableFigure(vtkAlgorithm* algorithm, int port, const char* column)
+{
+  return vtkTable::SafeDownCast(algorithm->GetOutputDataObject(port))
+    ->GetValueByName(0, column)
+    .ToDouble();
+}
+
+void ExpectCubeCaptured(vtkAlgorithm* algorithm, int port)
+{
+  EXPECT_EQ(TableFigure(algorithm, port, "FeaturesCaptured"), 1.0);
+  EXPECT_EQ(TableFigure(algorithm, port, "CornersCaptured"), 8.0);
+  EXPECT_EQ(TableFigure(algorithm, port, "CurvesCaptured"), 12.0);
+  EXPECT_EQ(TableFigure(algorithm, port, "PatchesCaptured"), 6.0);
+  EXPECT_LE(TableFigure(algorithm, port, "CornerDeviationMaximum"), 1e-9);
+  EXPECT_LE(TableFigure(algorithm, port, "CurveVertexDeviationMaximum"), 1e-6);
 }
 } // namespace
 
@@ -114,6 +168,8 @@ TEST(FeatureHexMesher, PatchIdIsTheComponent)
   mesher->Update();
   EXPECT_EQ(Figure(MeshOf(mesher), "Bodies"), 2.0);
   EXPECT_EQ(MeshOf(mesher)->GetCellData()->GetArray("Region")->GetRange()[1], 2.0);
+  EXPECT_EQ(MeshOf(mesher)->GetPointData()->GetArray("FeatureKind")->GetRange()[1], 1.0);
+  EXPECT_EQ(MeshOf(mesher)->GetPointData()->GetArray("FeatureId")->GetRange()[1], 1.0);
   auto* boundary = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(1));
   for (vtkIdType c = 0; c < boundary->GetNumberOfCells(); ++c)
   {
@@ -185,16 +241,144 @@ TEST(FeatureHexMesher, AbortsWithinASecondInEachPhase)
   }
 }
 
-TEST(FeatureHexMesher, AnnotationWarnsThatItIsNotUsed)
+TEST(FeatureHexMesher, FeaturesOfACubeByAnnotation)
 {
+  auto mesher = CoarseMesher(Cube());
+  mesher->SetInputDataObject(1, EdgesOfCube());
+  Messages messages(mesher);
+  mesher->Update();
+  ASSERT_TRUE(messages.Errors.empty()) << messages.Errors[0];
+  EXPECT_TRUE(messages.Warnings.empty()) << messages.Warnings[0];
+  ExpectCubeCaptured(mesher, 3);
+
+  // Labels: 8 corners, on their places.
+  vtkUnstructuredGrid* mesh = MeshOf(mesher);
+  vtkDataArray* kind = mesh->GetPointData()->GetArray("FeatureKind");
+  vtkDataArray* id = mesh->GetPointData()->GetArray("FeatureId");
+  ASSERT_NE(kind, nullptr);
+  ASSERT_NE(id, nullptr);
+  std::set<double> corners, curves, patches;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    double x[3];
+    mesh->GetPoint(p, x);
+    int planes = 0;
+    for (double value : x)
+    {
+      planes += std::abs(value) > 0.5 - 1e-9;
+    }
+    if (kind->GetComponent(p, 0) >= 2)
+    {
+      EXPECT_EQ(kind->GetComponent(p, 0), planes);
+      (planes == 3 ? corners : curves).insert(id->GetComponent(p, 0));
+    }
+    else if (kind->GetComponent(p, 0) == 1)
+    {
+      patches.insert(id->GetComponent(p, 0));
+    }
+    else
+    {
+      EXPECT_EQ(id->GetComponent(p, 0), -1);
+    }
+  }
+  EXPECT_EQ(corners.size(), 8u);
+  EXPECT_EQ(curves.size(), 12u);
+  EXPECT_EQ(patches.size(), 6u);
+
+  auto* boundary = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(1));
+  EXPECT_EQ(boundary->GetCellData()->GetArray("PatchId")->GetRange()[1], 5.0);
+  auto* features = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
+  EXPECT_EQ(features->GetNumberOfVerts(), 8);
+  EXPECT_EQ(features->GetNumberOfLines(), 12);
+  EXPECT_EQ(ArrayList(features->GetCellData()),
+    (std::vector<std::string>{ "CornerId", "CurveId", "Captured", "Deviation" }));
+  EXPECT_EQ(features->GetCellData()->GetArray("Captured")->GetRange()[0], 1.0);
+  vtkDataArray* meshPoint = features->GetPointData()->GetArray("MeshPointId");
+  for (vtkIdType p = 0; p < features->GetNumberOfPoints(); ++p)
+  {
+    double x[3], y[3];
+    features->GetPoint(p, x);
+    mesh->GetPoint(static_cast<vtkIdType>(meshPoint->GetComponent(p, 0)), y);
+    EXPECT_TRUE(std::equal(x, x + 3, y));
+  }
+  auto* findings = vtkTable::SafeDownCast(mesher->GetOutputDataObject(4));
+  ASSERT_EQ(findings->GetNumberOfRows(), 8 + 12 + 6);
+  EXPECT_EQ(findings->GetValueByName(8, "Kind").ToString(), "curve");
+  EXPECT_EQ(findings->GetValueByName(8, "Outcome").ToString(), "Captured");
+}
+
+TEST(FeatureHexMesher, FeaturesByAngleAndNone)
+{
+  auto given = CoarseMesher(Cube());
+  given->SetInputDataObject(1, EdgesOfCube());
+  given->Update();
+  auto found = CoarseMesher(Cube());
+  found->SetFeatureModeToAngle();
+  found->Update();
+  ExpectSameData(given->GetOutputDataObject(0), found->GetOutputDataObject(0));
+  ExpectSameData(given->GetOutputDataObject(2), found->GetOutputDataObject(2));
+
+  given->SetFeatureModeToNone();
+  given->Update();
+  EXPECT_TRUE(IsEmpty(given->GetOutputDataObject(2)));
+  EXPECT_EQ(MeshOf(given)->GetPointData()->GetArray("FeatureKind")->GetRange()[1], 1.0);
+  EXPECT_FALSE(MeshOf(given)->GetFieldData()->HasArray("FeaturesCaptured"));
+}
+
+TEST(FeatureHexMesher, FeaturesSurviveFiles)
+{
+  auto mesher = CoarseMesher(Cube());
+  mesher->SetInputDataObject(1, EdgesOfCube());
+  mesher->Update();
+  vtkUnstructuredGrid* mesh = MeshOf(mesher);
+  for (const char* extension : { ".vtu", ".vtk", ".mesh" })
+  {
+    const std::string path = ::testing::TempDir() + "featurehex-cube" + extension;
+    vtkNew<vtkHexMeshWriter> writer;
+    writer->SetInputDataObject(mesh);
+    writer->SetFileName(path.c_str());
+    ASSERT_EQ(writer->Write(), 1);
+    vtkNew<vtkHexMeshReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    std::remove(path.c_str());
+    vtkUnstructuredGrid* read = reader->GetOutput();
+    ASSERT_EQ(read->GetNumberOfPoints(), mesh->GetNumberOfPoints());
+    for (const char* name : { "FeatureKind", "FeatureId" })
+    {
+      vtkDataArray* before = mesh->GetPointData()->GetArray(name);
+      vtkDataArray* after = read->GetPointData()->GetArray(name);
+      ASSERT_NE(after, nullptr) << name << extension;
+      for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+      {
+        ASSERT_EQ(before->GetComponent(p, 0), after->GetComponent(p, 0)) << name << extension;
+      }
+    }
+    vtkNew<vtkHexValidationFilter> validation;
+    validation->SetInputDataObject(0, read);
+    validation->SetInputDataObject(1, Cube());
+    validation->SetInputDataObject(2, EdgesOfCube());
+    validation->SetTolerance(0.02);
+    validation->Update();
+    ExpectCubeCaptured(validation, 1);
+    EXPECT_EQ(vtkTable::SafeDownCast(validation->GetOutput(3))->GetNumberOfRows(), 26);
+  }
+}
+
+TEST(FeatureHexMesher, AnnotationsThatCanNotBeUsed)
+{
+  // Cells that are neither lines nor vertices.
   auto mesher = CoarseMesher(Sphere());
   mesher->SetInputDataObject(1, Sphere());
   Messages messages(mesher);
   mesher->Update();
   EXPECT_TRUE(messages.Errors.empty());
   ASSERT_EQ(messages.Warnings.size(), 1u);
-  EXPECT_NE(messages.Warnings[0].find("not used"), std::string::npos);
+  EXPECT_NE(messages.Warnings[0].find("ignored"), std::string::npos);
   EXPECT_FALSE(IsEmpty(mesher->GetOutputDataObject(0)));
+  // Lines of another surface.
+  mesher->SetInputDataObject(1, EdgesOfCube());
+  ExpectFailure(mesher, "no point of the surface");
 }
 
 TEST(FeatureHexMesher, OptionsAreClampedAndPrinted)

@@ -51,6 +51,17 @@ TEST(HexValidationFilter, NaNIsADefectNotAnError)
   EXPECT_EQ(Figure(filter->GetOutput(), "NonFinitePoints"), 1.0);
 }
 
+TEST(HexValidationFilter, FeaturesNeedSurfaceAndLabels)
+{
+  vtkNew<vtkPolyData> graph;
+  vtkNew<vtkHexValidationFilter> filter;
+  filter->SetInputDataObject(0, TwoHexes());
+  filter->SetInputDataObject(2, graph);
+  ExpectFailure(filter, "surface");
+  filter->SetInputDataObject(1, Sphere());
+  ExpectFailure(filter, "FeatureKind");
+}
+
 TEST(HexValidationFilter, GoodCitizen)
 {
   Chain chain(Sphere());

@@ -15,7 +15,7 @@ assert figure(report, "MinimumScaledJacobian") > 0.3
 assert boundary.GetNumberOfCells() > 0 and boundary.GetCellData().HasArray("PatchId")
 assert features.GetNumberOfCells() == 0
 assert [simple.OutputPort(mesher, name).Port for name in (
-    "Mesh", "Boundary", "Features", "Report")] == [0, 1, 2, 3]
+    "Mesh", "Boundary", "Features", "Report", "Feature Report")] == [0, 1, 2, 3, 4]
 
 chain = stages(surface)
 checked, octree, dual, domain, padding, untangle, fitting, validation = chain

@@ -13,8 +13,11 @@ spec.loader.exec_module(make_surfaces)
 
 with tempfile.TemporaryDirectory() as folder:
     make_surfaces.main(folder)
-    made = sorted(os.listdir(folder))
-    kept = sorted(name for name in os.listdir(data) if name.endswith((".obj", ".stl")))
-    assert made == kept, (made, kept)
-    _, different, unreadable = filecmp.cmpfiles(folder, data, made, shallow=False)
-    assert not different and not unreadable, (different, unreadable)
+    for sub in ("", "rotation"):
+        one, other = os.path.join(folder, sub), os.path.join(data, sub)
+        made, kept = (sorted(name for name in os.listdir(where)
+                             if name.endswith((".obj", ".stl", ".fgraph")))
+                      for where in (one, other))
+        assert made == kept and made, (made, kept)
+        _, different, unreadable = filecmp.cmpfiles(one, other, made, shallow=False)
+        assert not different and not unreadable, (different, unreadable)

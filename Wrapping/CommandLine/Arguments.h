@@ -9,11 +9,21 @@
 
 namespace featurehex
 {
+/// Where the sharp features come from.
+struct FeatureArguments
+{
+  std::string File;      ///< .fgraph; empty: none
+  bool ByAngle = false;
+  double Angle = 0.0;    ///< degrees
+  bool EnforceAll = false;
+};
+
 struct MeshArguments
 {
   std::string Input;
   std::string Output;
   std::string Report; ///< empty: none
+  FeatureArguments Features;
   int Threads = 0;    ///< 0: all cores
 
   // Defaults and ranges are those of vtkFeatureHexMesher.
@@ -32,7 +42,8 @@ struct CheckArguments
   std::string Mesh;
   std::string Surface; ///< empty: only what can be told without one
   std::string Report;  ///< empty: none
-  int Threads = 0;     ///< 0: all cores
+  FeatureArguments Features;
+  int Threads = 0; ///< 0: all cores
   double Tolerance = 0.0;
 };
 } // namespace featurehex

@@ -6,8 +6,10 @@
 #include "RunAlgorithm.h"
 #include "Threads.h"
 
+#include "vtkFeatureGraphReader.h"
 #include "vtkHexMeshReader.h"
 #include "vtkHexValidationFilter.h"
+#include "vtkSurfaceFeatureFilter.h"
 #include "vtkSurfaceFileReader.h"
 
 #include <vtkNew.h>
@@ -21,6 +23,36 @@ namespace featurehex
 {
 namespace
 {
+/// The feature graph of the surface as @a arguments ask for it.
+Status ReadFeatures(
+  const FeatureArguments& arguments, vtkPolyData* surface, RunLog& log, vtkPolyData* graph)
+{
+  vtkNew<vtkFeatureGraphReader> reader;
+  Status status;
+  if (!arguments.File.empty())
+  {
+    reader->SetInputDataObject(surface);
+    reader->SetFileName(arguments.File.c_str());
+    status = RunAlgorithm(reader, StatusCode::UnreadableFile, log);
+    graph->ShallowCopy(reader->GetOutput());
+  }
+  if (status.Ok() && arguments.ByAngle)
+  {
+    vtkNew<vtkSurfaceFeatureFilter> features;
+    features->SetInputDataObject(0, surface);
+    features->SetFeatureAngle(arguments.Angle);
+    features->SetEnforceAllFeatures(arguments.EnforceAll);
+    if (!arguments.File.empty())
+    {
+      features->SetInputDataObject(1, reader->GetOutput());
+      features->SetAnnotationModeToAdd();
+    }
+    status = RunAlgorithm(features, StatusCode::Validation, log);
+    graph->ShallowCopy(features->GetOutputDataObject(1));
+  }
+  return status;
+}
+
 /// Reads and measures; prints the table.
 Status Measure(const CheckArguments& arguments, RunLog& log, Report& report)
 {
@@ -32,6 +64,12 @@ Status Measure(const CheckArguments& arguments, RunLog& log, Report& report)
   {
     surfaceReader->SetFileName(arguments.Surface.c_str());
     status = RunAlgorithm(surfaceReader, StatusCode::UnreadableFile, log);
+  }
+  const bool withFeatures = !arguments.Features.File.empty() || arguments.Features.ByAngle;
+  vtkNew<vtkPolyData> graph;
+  if (status.Ok() && withFeatures)
+  {
+    status = ReadFeatures(arguments.Features, surfaceReader->GetOutput(), log, graph);
   }
   report.AddStage("Reading", report.Seconds());
   if (!status.Ok())
@@ -47,6 +85,11 @@ Status Measure(const CheckArguments& arguments, RunLog& log, Report& report)
   {
     validation->SetInputDataObject(1, surfaceReader->GetOutput());
   }
+  if (withFeatures)
+  {
+    validation->SetInputDataObject(2, graph);
+    validation->SetEnforceAllFeatures(arguments.Features.EnforceAll);
+  }
   status = RunAlgorithm(validation, StatusCode::Validation, log);
   report.AddStage("Validation", report.Seconds() - before);
   auto* table = vtkTable::SafeDownCast(validation->GetOutputDataObject(1));
@@ -54,13 +97,19 @@ Status Measure(const CheckArguments& arguments, RunLog& log, Report& report)
   {
     report.AddFigure(name, value);
   }
+  report.AddFeatures(vtkTable::SafeDownCast(validation->GetOutputDataObject(3)));
   if (!status.Ok())
   {
     return status;
   }
   std::fputs(PromiseTable(table).c_str(), stdout);
-  return FigureOf(table, "Valid") != 0.0 ? status
-                                         : Status(StatusCode::Validation, TextOf(table, "Verdict"));
+  if (FigureOf(table, "Valid") == 0.0)
+  {
+    return Status(StatusCode::Validation, TextOf(table, "Verdict"));
+  }
+  const std::string missed = TextOf(table, "FeaturesMissed");
+  return missed.empty() ? status
+                        : Status(StatusCode::Features, "Features of the surface: " + missed + ".");
 }
 } // namespace
 
@@ -69,7 +118,10 @@ Status RunCheck(const CheckArguments& arguments)
   Report report("check");
   UseThreads(arguments.Threads);
   report["input"] = { { "mesh", arguments.Mesh }, { "surface", arguments.Surface } };
-  report["options"] = { { "tolerance", arguments.Tolerance }, { "threads", arguments.Threads } };
+  report["options"] = { { "tolerance", arguments.Tolerance },
+    { "features", arguments.Features.File },
+    { "feature-angle", arguments.Features.ByAngle ? arguments.Features.Angle : 0.0 },
+    { "enforce-all-features", arguments.Features.EnforceAll }, { "threads", arguments.Threads } };
   RunLog log;
   const Status status = Measure(arguments, log, report);
   report.AddLog(log);

@@ -34,6 +34,7 @@ ExitCode ExitCodeOf(StatusCode code)
     case StatusCode::Topology:
     case StatusCode::Untangling:
     case StatusCode::Distance:
+    case StatusCode::Features:
     case StatusCode::Validation:
       return ExitCode::Failed;
     case StatusCode::OutOfMemory:

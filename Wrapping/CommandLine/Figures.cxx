@@ -32,6 +32,19 @@ std::string Row(vtkTable* table, const char* promise, const char* name, const st
   row += FigureOf(table, name) != 0.0 ? "yes  " : "NO   ";
   return row + detail + "\n";
 }
+/// "8 of 8 corners, 12 of 12 curves, 6 of 6 patches"
+std::string FeatureCounts(vtkTable* table)
+{
+  std::string text;
+  for (const char* kind : { "Corners", "Curves", "Patches" })
+  {
+    const std::string name = kind;
+    text += (text.empty() ? "" : ", ") + Count(table, (name + "Captured").c_str()) + " of " +
+            Count(table, (name + "Enforced").c_str()) + " " +
+            static_cast<char>(name[0] - 'A' + 'a') + name.substr(1);
+  }
+  return text;
+}
 } // namespace
 
 std::vector<std::pair<std::string, double>> FiguresOf(vtkTable* table)
@@ -90,6 +103,12 @@ std::string PromiseTable(vtkTable* f)
         Decimal(f, "Tolerance", 100) + " %");
     text += Row(f, "volume of the surface", "VolumeFits", "as far as the distance allows");
   }
+  if (f->GetColumnByName("FeaturesCaptured"))
+  {
+    text += Row(f, "sharp features one to one", "FeaturesCaptured",
+      FeatureCounts(f) + "; points off by " + Decimal(f, "CornerDeviationMaximum") + " and " +
+        Decimal(f, "CurveVertexDeviationMaximum") + " of the diagonal");
+  }
   return text;
 }
 
@@ -98,6 +117,7 @@ std::string SummaryLine(vtkTable* f)
   return Count(f, "NumberOfHexes") +
          " hexes, scaled Jacobian >= " + Decimal(f, "MinimumScaledJacobian") + " (mean " +
          Decimal(f, "MeanScaledJacobian") +
-         "), Hausdorff distance <= " + Decimal(f, "HausdorffUpper", 100) + " % of the diagonal";
+         "), Hausdorff distance <= " + Decimal(f, "HausdorffUpper", 100) + " % of the diagonal" +
+         (f->GetColumnByName("FeaturesCaptured") ? ", features: " + FeatureCounts(f) : "");
 }
 } // namespace featurehex

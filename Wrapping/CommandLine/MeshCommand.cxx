@@ -7,6 +7,7 @@
 #include "RunAlgorithm.h"
 #include "Threads.h"
 
+#include "vtkFeatureGraphReader.h"
 #include "vtkFeatureHexMesher.h"
 #include "vtkHexMeshWriter.h"
 #include "vtkSurfaceFileReader.h"
@@ -56,13 +57,17 @@ Status CheckFiles(const MeshArguments& arguments)
   Status status = CheckDifferent(arguments.Input, arguments.Output);
   if (status.Ok())
   {
+    status = CheckDifferent(arguments.Features.File, arguments.Output);
+  }
+  if (status.Ok())
+  {
     status = CheckWritable(arguments.Output);
   }
   if (!status.Ok() || arguments.Report.empty())
   {
     return status;
   }
-  for (const std::string& other : { arguments.Input, arguments.Output })
+  for (const std::string& other : { arguments.Input, arguments.Features.File, arguments.Output })
   {
     status = CheckDifferent(other, arguments.Report);
     if (!status.Ok())
@@ -78,7 +83,9 @@ void AddOptions(const MeshArguments& arguments, Report& report)
   report["input"] = { { "file", arguments.Input } };
   report["output"] = { { "file", arguments.Output } };
   report["options"] = { { "tolerance", arguments.Tolerance },
-    { "edge-length", arguments.EdgeLength }, { "features", false },
+    { "edge-length", arguments.EdgeLength }, { "features", arguments.Features.File },
+    { "feature-angle", arguments.Features.ByAngle ? arguments.Features.Angle : 0.0 },
+    { "enforce-all-features", arguments.Features.EnforceAll },
     { "max-level", arguments.MaximumLevel }, { "max-cells", arguments.MaximumNumberOfCells },
     { "max-rounds", arguments.MaximumRounds },
     { "min-scaled-jacobian", arguments.MinimumScaledJacobian }, { "align", arguments.Align },
@@ -95,6 +102,12 @@ void SetOptions(const MeshArguments& arguments, vtkFeatureHexMesher* mesher)
   mesher->SetMinimumScaledJacobian(arguments.MinimumScaledJacobian);
   mesher->SetAlignToPrincipalAxes(arguments.Align);
   mesher->SetTimeLimit(arguments.TimeLimit);
+  mesher->SetEnforceAllFeatures(arguments.Features.EnforceAll);
+  if (arguments.Features.ByAngle)
+  {
+    mesher->SetFeatureModeToAngle();
+    mesher->SetFeatureAngle(arguments.Features.Angle);
+  }
 }
 
 bool StartsWith(const std::string& text, const std::string& start)
@@ -147,6 +160,13 @@ Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std
   vtkNew<vtkSurfaceFileReader> reader;
   reader->SetFileName(arguments.Input.c_str());
   Status status = RunAlgorithm(reader, StatusCode::UnreadableFile, log);
+  vtkNew<vtkFeatureGraphReader> features;
+  if (status.Ok() && !arguments.Features.File.empty())
+  {
+    features->SetInputDataObject(reader->GetOutput());
+    features->SetFileName(arguments.Features.File.c_str());
+    status = RunAlgorithm(features, StatusCode::UnreadableFile, log);
+  }
   report.AddStage("Reading", report.Seconds() - before);
   if (!status.Ok())
   {
@@ -157,10 +177,15 @@ Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std
 
   vtkNew<vtkFeatureHexMesher> mesher;
   mesher->SetInputDataObject(reader->GetOutput());
+  if (!arguments.Features.File.empty())
+  {
+    mesher->SetInputDataObject(1, features->GetOutput());
+  }
   SetOptions(arguments, mesher);
   status = RunAlgorithm(mesher, StatusCode::Validation, log);
   auto* statistics = vtkTable::SafeDownCast(mesher->GetOutputDataObject(3));
   AddStatistics(statistics, report);
+  report.AddFeatures(vtkTable::SafeDownCast(mesher->GetOutputDataObject(4)));
   report["rounds"] = { { "count", FigureOf(statistics, "Rounds") },
     { "reasons", TextOf(statistics, "RoundReasons") } };
   if (!status.Ok())

@@ -6,6 +6,8 @@
 #include "vtkFeatureHexVersion.h"
 
 #include <vtkSMPTools.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 #include <vtkVersion.h>
 
 #include <sys/resource.h>
@@ -64,6 +66,29 @@ Report::Report(const std::string& command)
 void Report::AddFigure(const std::string& name, double value)
 {
   this->Content["figures"][name] = Number(value);
+}
+
+void Report::AddFeatures(vtkTable* table)
+{
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto text = [&](const char* column)
+    { return std::string(table->GetValueByName(row, column).ToString()); };
+    const auto number = [&](const char* column)
+    { return table->GetValueByName(row, column).ToDouble(); };
+    Json feature = { { "kind", text("Kind") }, { "id", Number(number("Id")) },
+      { "outcome", text("Outcome") }, { "deviation", number("Deviation") } };
+    if (text("Kind") == "curve")
+    {
+      feature["vertex-deviation"] = number("VertexDeviation");
+    }
+    if (!text("Reason").empty())
+    {
+      feature["reason"] = text("Reason");
+    }
+    feature["where"] = { number("X"), number("Y"), number("Z") };
+    this->Content["features"].push_back(feature);
+  }
 }
 
 void Report::AddStage(const std::string& name, double seconds)

@@ -14,6 +14,8 @@
 #include <chrono>
 #include <string>
 
+class vtkTable;
+
 namespace featurehex
 {
 /// Collects what is known, in the order in which it is added; Write() adds status, time and memory.
@@ -27,6 +29,9 @@ public:
 
   /// Under "figures". Whole numbers are written as such.
   void AddFigure(const std::string& name, double value);
+
+  /// Under "features": a row for each corner, curve and patch. Nothing for an empty table.
+  void AddFeatures(vtkTable* table);
 
   /// Under "stages", seconds of wall time.
   void AddStage(const std::string& name, double seconds);

@@ -134,7 +134,7 @@ StatusCode CodeOf(unsigned long error, StatusCode otherwise)
   if (error > vtkErrorCode::UserError)
   {
     const unsigned long code = error - vtkErrorCode::UserError;
-    return code <= static_cast<unsigned long>(StatusCode::Validation)
+    return code <= static_cast<unsigned long>(StatusCode::Unexpected)
              ? static_cast<StatusCode>(code)
              : otherwise;
   }

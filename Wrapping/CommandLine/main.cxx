@@ -9,6 +9,7 @@
 #include "vtkFeatureHexMesher.h"
 #include "vtkFeatureHexVersion.h"
 #include "vtkHexValidationFilter.h"
+#include "vtkSurfaceFeatureFilter.h"
 
 #include <vtkNew.h>
 
@@ -63,6 +64,28 @@ void AddReportAndThreads(CLI::App* command, std::string& report, int& threads)
 const char* const ToleranceHelp =
   "Largest distance between mesh and surface, as a fraction of the bounding box's diagonal";
 
+/// The options --features, --feature-angle and so on.
+void AddFeatures(
+  CLI::App* command, featurehex::FeatureArguments& arguments, double low, double high)
+{
+  command
+    ->add_option("--features", arguments.File, "Sharp features: a .fgraph file with point ids of IN")
+    ->type_name("FILE");
+  command
+    ->add_option_function<double>("--feature-angle",
+      [&arguments](const double& angle)
+      {
+        arguments.ByAngle = true;
+        arguments.Angle = angle;
+      },
+      "Find sharp features: edges with an interior angle below DEG (140 is usual); with --features: "
+      "both")
+    ->type_name("DEG")
+    ->check(Within(low, high));
+  command->add_flag("--enforce-all-features", arguments.EnforceAll,
+    "Also corners where more than six curves, or two at less than 30 degrees meet");
+}
+
 CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
 {
   CLI::App* command = app.add_subcommand("mesh", "Make a hex mesh from a closed surface");
@@ -83,8 +106,12 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
   AddNumber(command, "--edge-length", arguments.EdgeLength, mesher->GetTargetEdgeLengthMinValue(),
     mesher->GetTargetEdgeLengthMaxValue(), "L",
     "Size of the hexes at the surface, model units; 0: longest side of the bounding box / 26");
-  // Nothing to store: this version knows no sharp features.
-  command->add_flag("--no-features", "Don't look for sharp features (this version never does)");
+  AddFeatures(command, arguments.Features, mesher->GetFeatureAngleMinValue(),
+    mesher->GetFeatureAngleMaxValue());
+  // Nothing to store.
+  CLI::Option* none = command->add_flag(
+    "--no-features", "No sharp features; the default without --features and --feature-angle");
+  none->excludes("--features")->excludes("--feature-angle");
   AddReportAndThreads(command, arguments.Report, arguments.Threads);
   arguments.TimeLimit = mesher->GetTimeLimit();
   AddNumber(command, "--time-limit", arguments.TimeLimit, mesher->GetTimeLimitMinValue(),
@@ -120,6 +147,11 @@ CLI::App* AddCheck(CLI::App& app, featurehex::CheckArguments& arguments)
     ->add_option("--surface", arguments.Surface,
       "The surface it was made from; without it distance and topology are not compared")
     ->type_name("IN");
+  vtkNew<vtkSurfaceFeatureFilter> features;
+  AddFeatures(command, arguments.Features, features->GetFeatureAngleMinValue(),
+    features->GetFeatureAngleMaxValue());
+  command->get_option("--features")->needs("--surface");
+  command->get_option("--feature-angle")->needs("--surface");
   vtkNew<vtkHexValidationFilter> validation;
   arguments.Tolerance = validation->GetTolerance();
   AddNumber(command, "--tolerance", arguments.Tolerance, validation->GetToleranceMinValue(),

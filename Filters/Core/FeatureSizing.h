@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// How small the cells have to be at sharp features so that each gets its own mesh edges (design 3.2).
+
+#ifndef featurehex_FeatureSizing_h
+#define featurehex_FeatureSizing_h
+
+#include "BlockOctree.h"
+#include "FeatureGeometry.h"
+
+namespace featurehex
+{
+struct FeatureSizingOptions
+{
+  double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0
+  int MaximumLevel = 4;          ///< at most this many halvings for loops
+  int MaximumSizingLevel = 2;    ///< at most this many for curves near each other and short ones
+  double CellsBetween = 0.7;     ///< between two curves that don't meet
+  double CellsPerCurve = 0.7;    ///< along a curve from corner to corner
+  double CellsPerLoop = 6.0;     ///< along a loop without corner
+};
+
+/// Refinement points where curves are short, or close to others that they don't meet, with the level
+/// they need; by curve, along each. Cost: O(length / edge length).
+std::vector<RefinementPoint> ComputeFeatureSizing(
+  const FeatureGeometry& geometry, const FeatureSizingOptions& options);
+} // namespace featurehex
+
+#endif

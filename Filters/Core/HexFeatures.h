@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/// @file
+/// Where the features of a surface are in a hex mesh.
+
+#ifndef featurehex_HexFeatures_h
+#define featurehex_HexFeatures_h
+
+#include "HexStars.h"
+
+namespace featurehex
+{
+/// Corners are vertices, curves chains of boundary edges, patches sets of boundary quads. Ids are those of
+/// SurfaceFeatures; what is not enforced has no image.
+struct HexFeatures
+{
+  std::vector<Index> CornerVertices;          ///< of each corner; -1: none
+  std::vector<std::vector<Index>> CurvePaths; ///< of each curve; a loop repeats its first vertex; empty: none
+  std::vector<int> PatchOfQuad;               ///< of each boundary quad, in the order of HexStars::Quads
+
+  bool Empty() const { return this->PatchOfQuad.empty(); }
+};
+
+/// Values of the array FeatureKind.
+enum class FeatureKind : std::uint8_t
+{
+  Interior,
+  Surface,
+  Curve,
+  Corner
+};
+
+/// For each vertex of a mesh the feature it belongs to.
+struct FeatureLabels
+{
+  std::vector<FeatureKind> Kind;
+  std::vector<Index> Id; ///< patch, curve or corner; -1: interior, or between patches that no curve parts
+
+  FeatureLabels() = default;
+  FeatureLabels(const HexFeatures& features, const HexStars& stars)
+    : FeatureLabels(features, stars.Quads, stars.Hexes.size())
+  {
+  }
+  /// @a quads: those of the boundary, as many as PatchOfQuad has.
+  FeatureLabels(
+    const HexFeatures& features, const std::vector<Quad>& quads, std::size_t numberOfPoints);
+};
+} // namespace featurehex
+
+#endif
