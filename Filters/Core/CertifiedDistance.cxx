@@ -540,7 +540,7 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   {
     QuadTarget coarse;
     BuildTarget(patches, CoarseSplitError * tolerance, coarse);
-    if (!BoundElements(coarse.Target, triangles, goal, true, 0.0, second))
+    if (!second.Ask() || !BoundElements(coarse.Target, triangles, goal, true, 0.0, second))
     {
       return bounds;
     }
@@ -556,6 +556,10 @@ DistanceBounds CertifiedDistance::Measure(const std::vector<Vec3>& points,
   SubMonitor third(monitor, 0.8, 1.0);
   if (!ids.empty())
   {
+    if (!third.Ask())
+    {
+      return bounds;
+    }
     QuadTarget fine;
     BuildTarget(patches, FineSplitError * tolerance, fine);
     bounds.SplitError = fine.Target.LargestSlack;

@@ -10,6 +10,7 @@
 #include "HexUntangling.h"
 #include "OctreeDual.h"
 #include "ProvenFitting.h"
+#include "StageCheck.h"
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"
 
@@ -357,6 +358,10 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   }
   if (status.Ok())
   {
+    status = CheckStageOutput({ "octree dual", StagePromise::PositiveCorners }, this->Dual);
+  }
+  if (status.Ok())
+  {
     const StageClock clock(this->Result.Timings, "domain");
     this->BeginPhase("finding inside and outside", 0.06, 0.15);
     DomainOptions domain;
@@ -480,6 +485,11 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
         FeaturesOfPaddedMesh(this->Mapping.Features, this->Body, HexStars(this->Body.Mesh));
       PadDegenerateQuads(this->Body, this->Features, *this->Geometry, LocalPaddingOptions());
     }
+    status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
+    if (!status.Ok())
+    {
+      return Outcome::Failed;
+    }
     this->Result.Rounds.back().Hexes = static_cast<Index>(this->Body.Mesh.Hexes.size());
     this->Stars = HexStars(this->Body.Mesh);
     if (this->Geometry)
@@ -505,6 +515,10 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     return this->Refine(std::to_string(report.InvertedAfter) + " hexes stay inverted",
       StatusCode::Untangling, places, status);
   }
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "untangling", StagePromise::PositiveCorners }, this->Body.Mesh);
+  }
   return status.Ok() ? Outcome::Done : Outcome::Failed;
 }
 
@@ -516,6 +530,11 @@ Mesher::Outcome Mesher::Fit(Status& status)
   status = this->Fitting->Run(
     this->Body.Mesh, this->Stars, this->Targets.get(), report, this->Progress);
   this->Result.Improvement = report.Improvement;
+  if (status.Ok())
+  {
+    // Certificates are the validation's: it asks for refinement where one is missing.
+    status = CheckStageOutput({ "fitting", StagePromise::PositiveCorners }, this->Body.Mesh);
+  }
   if (!status.Ok())
   {
     return Outcome::Failed;

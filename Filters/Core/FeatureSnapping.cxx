@@ -246,7 +246,7 @@ Status SnapFeatures(HexMesh& mesh, const HexStars& stars, FeatureTargets& featur
     optimizer.ActivateBoundary();
     for (int relax = 0; relax < 2; ++relax)
     {
-      optimizer.Sweep(-1.0);
+      optimizer.Sweep(-1.0, &monitor);
     }
     featureWeight = std::min(featureWeight * SnapGrowth, SnapWeight);
     idle = far && left == last ? idle + 1 : 0;

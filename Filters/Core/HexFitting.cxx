@@ -46,7 +46,7 @@ Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& sur
       terms.UpdateReverse(optimizer, envelope, weight, threshold);
     }
     optimizer.ActivateBoundary();
-    optimizer.Sweep(-1.0);
+    optimizer.Sweep(-1.0, &monitor);
     weight = std::min(weight * options.WeightGrowth, options.MaximumWeight);
   }
   if (features)
@@ -58,6 +58,6 @@ Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& sur
     }
   }
   envelope.Rebuild();
-  return Status();
+  return monitor.StopStatus();
 }
 }

@@ -260,9 +260,10 @@ public:
     std::size_t arrived = 0;
     for (int sweep = 0; sweep < ProjectionSweeps && this->Progress.Update(this->Fraction); ++sweep)
     {
-      arrived = this->Schedule.Sweep([this, floor](Index v) {
+      const auto project = [this, floor](Index v) {
         return this->Chosen[v] && this->Vertices.Project(v, this->Surface, floor);
-      });
+      };
+      arrived = this->Schedule.Sweep(project, &this->Progress);
     }
     this->UpdateQualities();
     return static_cast<Index>(arrived);
@@ -313,7 +314,8 @@ private:
   template <typename Move>
   bool Sweep(const Move& move)
   {
-    return this->Schedule.Sweep([&](Index v) { return this->Chosen[v] && move(v); }) > 0;
+    const auto visit = [&](Index v) { return this->Chosen[v] && move(v); };
+    return this->Schedule.Sweep(visit, &this->Progress) > 0;
   }
 
   HexMesh& Mesh;

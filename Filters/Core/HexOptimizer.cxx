@@ -157,16 +157,17 @@ bool HexOptimizer::Hopeless(Index h) const
   return false;
 }
 
-std::size_t HexOptimizer::Sweep(double regularization)
+std::size_t HexOptimizer::Sweep(double regularization, Monitor* monitor)
 {
-  return this->Schedule.Sweep([this, regularization](Index v) {
+  const auto visit = [this, regularization](Index v) {
     if (this->Fixed[v] || !this->Active[v].load(std::memory_order_relaxed))
     {
       return false;
     }
     this->Active[v].store(false, std::memory_order_relaxed);
     return this->MoveVertex(v, regularization);
-  });
+  };
+  return this->Schedule.Sweep(visit, monitor);
 }
 
 void HexOptimizer::CollectCorners(

@@ -74,8 +74,8 @@ public:
 
   /// One sweep over the vertices marked active; a moved vertex marks its neighbours. Returns the number of
   /// vertices that moved. @a regularization: delta relative to the cube of the hex size, negative: the
-  /// mesh is valid and stays so.
-  std::size_t Sweep(double regularization);
+  /// mesh is valid and stays so. When @a monitor says stop, the sweep ends early.
+  std::size_t Sweep(double regularization, Monitor* monitor = nullptr);
 
   void ActivateAll();
   void ActivateBoundary();

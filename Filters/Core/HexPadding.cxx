@@ -3,11 +3,14 @@
 
 #include "HexAdjacency.h"
 #include "InterfaceRepair.h"
+#include "MeshTopology.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <locale>
 #include <numeric>
+#include <sstream>
 
 namespace featurehex
 {
@@ -25,6 +28,31 @@ std::uint64_t SpreadBits(std::uint64_t x)
   x = (x | (x << 4)) & 0x10c30c30c30c30c3ull;
   x = (x | (x << 2)) & 0x1249249249249249ull;
   return x;
+}
+
+/// Along an edge of four boundary quads the layer would share one face between four hexes.
+Status CheckInterface(const HexMesh& mesh, const std::vector<InterfaceQuad>& interface)
+{
+  std::vector<Quad> quads;
+  quads.reserve(interface.size());
+  for (const InterfaceQuad& quad : interface)
+  {
+    quads.push_back(quad.Vertices);
+  }
+  const SurfaceTopology topology = AnalyzeSurface(mesh.Points, quads);
+  if (topology.ClosedManifold())
+  {
+    return Status();
+  }
+  const Index point = topology.BadEdges.empty() ? topology.BadVertices.front()
+                                                : topology.BadEdges.front()[0];
+  const Vec3& where = mesh.Points[point];
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "The boundary of the bodies is not a manifold: " << topology.BadEdges.size()
+       << " edges and " << topology.BadVertices.size() << " points, first at (" << where[0] << ", "
+       << where[1] << ", " << where[2] << "). Pad the regions of the domain stage unchanged.";
+  return Status(StatusCode::InvalidMesh, text.str(), { where });
 }
 
 double MeanEdgeLength(const HexMesh& mesh, Index hex)
@@ -177,6 +205,10 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   {
     return Status(StatusCode::InvalidMesh,
       "Padding found no hex with a region above 0. Label the hexes of the bodies first.");
+  }
+  if (Status status = CheckInterface(mesh, quads); !status.Ok())
+  {
+    return status;
   }
   const InwardOffset offset(mesh, quads);
 

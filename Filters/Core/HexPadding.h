@@ -34,8 +34,8 @@ struct PaddedMesh
 
 /// Keep the hexes with @a region > 0, give them a layer inwards. Interface points stay where they
 /// are and become the boundary; their inner copies move along the mean unit normal of the
-/// interface. Precondition: manifold interface (ComputeHexDomain). Fails with InvalidOption,
-/// InvalidMesh.
+/// interface. Fails with InvalidOption; InvalidMesh, also when the interface is not a manifold
+/// (ComputeHexDomain makes manifolds).
 Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   const PaddingOptions& options, PaddedMesh& padded);
 

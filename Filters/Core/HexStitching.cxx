@@ -58,9 +58,9 @@ public:
       this->Pieces.begin(), this->Pieces.end(), [](const Piece& piece) { return piece.Done; });
   }
 
-  void Sweep()
+  void Sweep(Monitor& monitor)
   {
-    this->Schedule.Sweep([this](Index v) { return this->VisitVertex(v); });
+    this->Schedule.Sweep([this](Index v) { return this->VisitVertex(v); }, &monitor);
     ParallelFor(this->Pieces.size(), 1, [this](std::size_t i) { this->Judge(this->Pieces[i]); });
   }
 
@@ -398,9 +398,9 @@ Status StitchHexes(HexMesh& mesh, const HexStars& stars, const HexOptimizer& ter
     {
       return monitor.StopStatus();
     }
-    stitching.Sweep();
+    stitching.Sweep(monitor);
   }
   stitching.KeepBest();
-  return Status();
+  return monitor.StopStatus();
 }
 }

@@ -67,10 +67,10 @@ Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry
       delta = std::max(delta, 0.05);
     }
     optimizer.ActivateAll();
-    optimizer.Sweep(delta);
+    optimizer.Sweep(delta, &monitor);
     ++report.Sweeps;
     report.InvertedAfter = countInverted();
   }
-  return Status();
+  return monitor.StopStatus();
 }
 }

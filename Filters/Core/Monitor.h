@@ -43,6 +43,7 @@ public:
   /// True: go on. False: the user or the time limit says stop.
   bool Update(double fraction)
   {
+    this->Fraction = fraction;
     if (this->Stop.Ok())
     {
       this->Report(
@@ -60,6 +61,9 @@ public:
     }
     return this->Stop.Ok();
   }
+
+  /// Update() without progress, for pieces of work inside a step.
+  bool Ask() { return this->Update(this->Fraction); }
 
   bool Stopped() const { return !this->Stop.Ok(); }
   const Status& StopStatus() const { return this->Stop; }
@@ -87,6 +91,7 @@ private:
   std::string Phase = "working";
   double From = 0.0;
   double To = 1.0;
+  double Fraction = 0.0;
   bool Limited = false;
   double Seconds = 0.0;
   Clock::time_point Start = Clock::now();

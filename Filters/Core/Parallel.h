@@ -6,8 +6,11 @@
 #ifndef featurehex_Parallel_h
 #define featurehex_Parallel_h
 
+#include "Monitor.h"
+
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace featurehex
@@ -31,6 +34,23 @@ void ParallelFor(std::size_t count, std::size_t grain, const Body& body)
         body(static_cast<std::size_t>(i));
       }
     });
+}
+
+/// The same in some 20 batches; @a monitor may be null, else it is asked before each. False: it said
+/// stop, and the rest was left out.
+template <typename Body>
+bool ParallelFor(std::size_t count, std::size_t grain, Monitor* monitor, const Body& body)
+{
+  const std::size_t batch = std::max(grain, monitor ? (count + 19) / 20 : count);
+  for (std::size_t first = 0; first < count; first += batch)
+  {
+    if (monitor && !monitor->Ask())
+    {
+      return false;
+    }
+    ParallelFor(std::min(batch, count - first), grain, [&](std::size_t i) { body(first + i); });
+  }
+  return true;
 }
 }
 

@@ -12,6 +12,7 @@ namespace
 constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
 constexpr double RefineBeyondWithFeatures = 4.0; // vertices beside creases arrive late
 constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
+constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
 constexpr int RoundsAfterProof = 1; // of improvement: most was done before the proof
@@ -19,11 +20,16 @@ constexpr double ShareStep = 0.01; // tightening of the sampled limit after a fa
 constexpr double FittingShare = 0.4; // of the progress
 
 /// Points of the surface whose samples are farther than @a limit from the boundary, either way.
-std::vector<Vec3> PlacesBeyond(SurfaceEnvelope& envelope, const HexStars& stars, double limit)
+std::vector<Vec3> PlacesBeyond(
+  SurfaceEnvelope& envelope, const HexStars& stars, double limit, Monitor& monitor)
 {
   std::vector<EnvelopeContact> contacts;
   for (Index q = 0; q < static_cast<Index>(stars.Quads.size()); ++q)
   {
+    if (q % QuadsPerQuestion == 0 && !monitor.Ask())
+    {
+      break;
+    }
     envelope.Collect(q, limit, contacts);
   }
   std::vector<Vec3> places;
@@ -52,15 +58,19 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
   {
-    SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid);
     SubMonitor part(monitor, 0.0, FittingShare);
+    SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
     Status status = FitHexes(mesh, stars, this->Surface, features, envelope, fitting, part);
     if (!status.Ok())
     {
       return monitor.Stopped() ? monitor.StopStatus() : status;
     }
     report.Places = PlacesBeyond(envelope, stars,
-      (features ? RefineBeyondWithFeatures : RefineBeyond) * this->AbsoluteTolerance());
+      (features ? RefineBeyondWithFeatures : RefineBeyond) * this->AbsoluteTolerance(), part);
+  }
+  if (monitor.Stopped())
+  {
+    return monitor.StopStatus();
   }
   return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, report, monitor)
                                : Status();
@@ -80,8 +90,8 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     const double start = FittingShare + proof * width;
     if (this->Options.MinimumScaledJacobian > 0)
     {
-      SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid);
       SubMonitor part(monitor, start, start + 0.8 * width);
+      SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
       Status status = ImproveHexes(
         mesh, stars, this->Surface, envelope, improvement, report.Improvement, part);
       if (!status.Ok())
@@ -92,8 +102,8 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
       {
         report.Outcome = FittingOutcome::NotDrawn;
         report.Places = PlacesBeyond(
-          envelope, stars, improvement.EnvelopeShare * this->AbsoluteTolerance());
-        return Status();
+          envelope, stars, improvement.EnvelopeShare * this->AbsoluteTolerance(), part);
+        return monitor.StopStatus();
       }
     }
     SubMonitor part(monitor, start + 0.8 * width, start + width);

@@ -38,7 +38,7 @@ enum class StatusCode
   Validation,        ///< the finished mesh broke a promise
   OutOfMemory,       ///< an allocation failed
   Features,          ///< a corner, curve or patch of the surface could not be mapped to the mesh
-  Unexpected         ///< an exception of a library: a defect of the program
+  Unexpected         ///< a stage broke its promise, a library threw: a defect of the program
 };
 
 /// Result of a core algorithm. Message: what is wrong, where, how much, what to do.

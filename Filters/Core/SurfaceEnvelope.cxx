@@ -44,11 +44,12 @@ struct QuadFan
 }
 
 SurfaceEnvelope::SurfaceEnvelope(const SurfaceGeometry& surface, const std::vector<Vec3>& samples,
-  const HexMesh& mesh, const HexStars& stars, int grid)
+  const HexMesh& mesh, const HexStars& stars, int grid, Monitor* monitor)
   : Surface(surface)
   , Samples(samples)
   , Mesh(mesh)
   , Stars(stars)
+  , Progress(monitor)
   , Witnesses(samples.size())
   , FirstSample(stars.Quads.size(), -1)
   , NextSample(samples.size(), -1)
@@ -229,7 +230,7 @@ void SurfaceEnvelope::LinkSamples(const std::vector<Index>& owners)
 void SurfaceEnvelope::Measure(double enough)
 {
   std::vector<std::vector<Transfer>> transfers(this->Stars.Quads.size());
-  ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
+  ParallelFor(this->Stars.Quads.size(), 64, this->Progress, [&](std::size_t q) {
     const Index quad = static_cast<Index>(q);
     if (this->Forward[q] > enough)
     {
@@ -255,7 +256,7 @@ void SurfaceEnvelope::Rebuild()
   QuadFan fan(this->Mesh, this->Stars.Quads);
   const TriangleSearch search(std::move(fan.Points), std::move(fan.Triangles));
   std::vector<Index> owners(this->Samples.size());
-  ParallelFor(this->Samples.size(), 1024, [&](std::size_t s) {
+  ParallelFor(this->Samples.size(), 1024, this->Progress, [&](std::size_t s) {
     owners[s] = search.Closest(this->Samples[s]).Triangle / 4;
   });
   this->LinkSamples(owners);
@@ -264,7 +265,7 @@ void SurfaceEnvelope::Rebuild()
 void SurfaceEnvelope::Update(double enough)
 {
   std::vector<Index> owners(this->Samples.size());
-  ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
+  ParallelFor(this->Stars.Quads.size(), 64, this->Progress, [&](std::size_t q) {
     for (Index s = this->FirstSample[q]; s >= 0; s = this->NextSample[s])
     {
       owners[s] = static_cast<Index>(q);

@@ -6,6 +6,7 @@
 #define featurehex_SurfaceEnvelope_h
 
 #include "HexStars.h"
+#include "Monitor.h"
 #include "SurfaceGeometry.h"
 
 namespace featurehex
@@ -34,9 +35,10 @@ struct EnvelopeContact
 class SurfaceEnvelope
 {
 public:
-  /// Keeps references. @a grid: points per quad side, >= 2.
+  /// Keeps references. @a grid: points per quad side, >= 2. @a monitor is asked during Rebuild(), Update()
+  /// and Measure(); when it says stop they end early, and what this object knows is wrong.
   SurfaceEnvelope(const SurfaceGeometry& surface, const std::vector<Vec3>& samples,
-    const HexMesh& mesh, const HexStars& stars, int grid);
+    const HexMesh& mesh, const HexStars& stars, int grid, Monitor* monitor = nullptr);
 
   /// Give each sample to its closest quad (search over the whole boundary). Bounds become unknown.
   void Rebuild();
@@ -92,6 +94,7 @@ private:
   const std::vector<Vec3>& Samples;
   const HexMesh& Mesh;
   const HexStars& Stars;
+  Monitor* Progress;
   std::vector<std::array<double, 4>> GridWeights;
   std::vector<Witness> Witnesses;  ///< of each sample
   std::vector<Index> Hints;        ///< closest triangle of each grid point of each quad

@@ -354,7 +354,7 @@ std::vector<RefinementPoint> ComputeSizing(const SurfaceMesh& surface,
     SampleSurface(surface, options.SampleSpacing * options.TargetEdgeLength);
   std::vector<int> levels(samples.size(), 0);
   // In parts, so that the monitor is asked now and then.
-  constexpr std::size_t part = 20000;
+  constexpr std::size_t part = 4096;
   for (std::size_t first = 0; first < samples.size(); first += part)
   {
     if (!monitor.Update(static_cast<double>(first) / samples.size()))

@@ -26,13 +26,18 @@ public:
   VertexSchedule(const std::vector<Hex>& hexes, const IdLists& hexesOfVertex, int rings);
 
   /// visit(v) for every vertex; colour after colour, the blocks of a colour in parallel. Returns
-  /// the number of visits that returned true.
+  /// the number of visits that returned true. @a monitor is asked before each colour; when it says
+  /// stop, the colours that follow are left out.
   template <typename Visit>
-  std::size_t Sweep(const Visit& visit) const
+  std::size_t Sweep(const Visit& visit, Monitor* monitor = nullptr) const
   {
     std::size_t total = 0;
     for (const std::vector<Block>& blocks : this->Colors)
     {
+      if (monitor && !monitor->Ask())
+      {
+        break;
+      }
       std::vector<std::size_t> counts(blocks.size(), 0);
       ParallelFor(blocks.size(), 1, [&](std::size_t i) {
         for (Index v = blocks[i].First; v < blocks[i].Last; ++v)

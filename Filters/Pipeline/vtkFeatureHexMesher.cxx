@@ -7,6 +7,7 @@
 #include "FeatureConversion.h"
 #include "FeatureHexMesher.h"
 #include "HexFeatureConversion.h"
+#include "StageCheck.h"
 #include "vtkFeatureHexVersion.h"
 
 #include "vtkCellData.h"
@@ -228,13 +229,25 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   {
     status = MeshSurface(surface, options, monitor, result);
   }
+  const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
+  if (status.Ok())
+  {
+    const std::size_t hexes = result.Mesh.Hexes.size();
+    status = CheckStageOutput({ "composite", StagePromise::Certified,
+                                { { ArrayNames::Region, result.Region.size(), hexes },
+                                  { ArrayNames::Level, result.Level.size(), hexes },
+                                  { ArrayNames::ScaledJacobian,
+                                    result.Validation.ScaledJacobians.size(), hexes },
+                                  { ArrayNames::Deviation,
+                                    result.Validation.Distance.Deviation.size(), quads.size() } } },
+      result.Mesh);
+  }
   if (!status.Ok())
   {
     return status;
   }
   this->Warn(result);
 
-  const std::vector<Quad>& quads = result.Validation.Topology.Boundary.Quads;
   if (result.Features.Empty())
   {
     result.Features.PatchOfQuad =

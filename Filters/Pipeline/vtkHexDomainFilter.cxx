@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "HexDomain.h"
+#include "StageCheck.h"
 #include "SurfaceGeometry.h"
 
 #include "vtkCellData.h"
@@ -70,6 +71,12 @@ featurehex::Status vtkHexDomainFilter::Compute(
   HexDomain domain;
   status = ComputeHexDomain(mesh, surface.Mesh(), surface.Search(), WindingNumber(surface.Mesh()),
     options, monitor, domain);
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "hex domain", StagePromise::Conforming,
+                                { { ArrayNames::Region, domain.Region.size(), mesh.Hexes.size() } } },
+      mesh);
+  }
   if (!status.Ok())
   {
     return status;

@@ -6,6 +6,7 @@
 #include "HexUntangling.h"
 #include "ProvenFitting.h"
 #include "RefinementConversion.h"
+#include "StageCheck.h"
 #include "StageFeatures.h"
 
 #include "vtkCellData.h"
@@ -113,6 +114,14 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
   status = ProvenFitting(surface, options).Run(mesh, stars, targets.get(), report, monitor);
+  const std::vector<Vec3>& places = report.Places;
+  if (status.Ok())
+  {
+    // A mesh that is to be refined anyway only has to be sound. The check is cheap beside the fit.
+    status = CheckStageOutput(
+      { "fitting", places.empty() ? StagePromise::Certified : StagePromise::PositiveCorners }, mesh,
+      CheckDepth::Full);
+  }
   if (!status.Ok())
   {
     return status;

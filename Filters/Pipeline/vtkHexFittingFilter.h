@@ -30,12 +30,13 @@
  * vtkSurfaceOctreeFilter, where the tolerance is exceeded. Points: Level (int, one more than the
  * hex there), Reason (string, "distance"). Empty when WithinTolerance is 1.
  *
- * <b>Guarantees:</b> every element is valid. The distance is only measured here: when
- * WithinTolerance is 0, refine at output 1.
+ * <b>Guarantees:</b> no corner is inverted; when output 1 is empty, the Jacobian of each element
+ * is proven positive. The distance is only measured here: when WithinTolerance is 0, refine at
+ * output 1.
  *
  * <b>Errors:</b> inverted hexes (untangle first); features of the mesh that are not those of the
- * graph; a mesh that is not conforming; what
- * vtkSurfaceFeatureFilter reports.
+ * graph; a mesh that is not conforming; a hex inside the tolerance that is not proven valid (refine
+ * the octree there); what vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> Tolerance is a fraction of the bounding-box diagonal.
  *

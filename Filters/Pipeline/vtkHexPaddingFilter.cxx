@@ -6,6 +6,7 @@
 #include "HexFeatureConversion.h"
 #include "HexLocalPadding.h"
 #include "InterfaceRepair.h"
+#include "StageCheck.h"
 #include "StageFeatures.h"
 
 #include "vtkCellData.h"
@@ -149,6 +150,17 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   if (status.Ok() && (HasHexFeatures(input) || vtkPolyData::GetData(inputs[2])))
   {
     status = features.Run(inputs, InterfaceOf(mesh, region), padded, monitor);
+  }
+  if (status.Ok())
+  {
+    const std::size_t hexes = padded.Mesh.Hexes.size();
+    status = CheckStageOutput({ "padding", StagePromise::Conforming,
+                                { { ArrayNames::Region, padded.Region.size(), hexes },
+                                  { ArrayNames::PaddingLayer, padded.IsLayer.size(), hexes },
+                                  { "SourceHex", padded.SourceHex.size(), hexes },
+                                  { "SourcePoint", padded.SourcePoint.size(),
+                                    padded.Mesh.Points.size() } } },
+      padded.Mesh);
   }
   if (!status.Ok())
   {

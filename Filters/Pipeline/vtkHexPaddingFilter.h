@@ -29,9 +29,9 @@
  *
  * <b>Guarantees:</b> connectivity is valid. Some hexes may be inverted: vtkHexUntangleFilter.
  *
- * <b>Errors:</b> no array Region, no hex in a body, a mesh that is not conforming; a feature graph
- * without surface; features of the mesh that are not those of the graph; what
- * vtkSurfaceFeatureFilter reports.
+ * <b>Errors:</b> no array Region, no hex in a body, bodies that touch along an edge or in a point
+ * (regions edited by hand), a mesh that is not conforming; a feature graph without surface; features
+ * of the mesh that are not those of the graph; what vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> thickness in local cell sizes.
  *

@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "HexUntangling.h"
+#include "StageCheck.h"
 #include "StageFeatures.h"
 
 #include "vtkInformation.h"
@@ -127,6 +128,10 @@ featurehex::Status vtkHexUntangleFilter::Compute(
         " at " + Place(where) +
         ". Raise MaximumSweeps, try the other Method, or make the octree finer there.",
       { where });
+  }
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "untangling", StagePromise::PositiveCorners }, mesh);
   }
   if (!status.Ok())
   {

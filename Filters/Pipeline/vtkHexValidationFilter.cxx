@@ -7,6 +7,7 @@
 #include "FeatureRecovery.h"
 #include "HexFeatureConversion.h"
 #include "HexValidation.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -147,6 +148,14 @@ featurehex::Status vtkHexValidationFilter::Compute(
   if (!report.Result.Ok() && report.Result.Code != StatusCode::Validation)
   {
     return report.Result;
+  }
+  status = CheckStageOutput({ "validation", StagePromise::Ids,
+                              { { ArrayNames::ScaledJacobian, report.ScaledJacobians.size(),
+                                mesh.Hexes.size() } } },
+    mesh);
+  if (!status.Ok())
+  {
+    return status;
   }
 
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);

@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "OctreeDual.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -58,6 +59,15 @@ featurehex::Status vtkOctreeDualHexFilter::Compute(
   HexMesh mesh;
   OctreeDualArrays arrays;
   status = ConvertOctreeToHexes(octree, mesh, &arrays, monitor);
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "octree dual", StagePromise::PositiveCorners,
+                                { { ArrayNames::Level, arrays.HexLevel.size(), mesh.Hexes.size() },
+                                  { ArrayNames::DualHexKind, arrays.HexKind.size(), mesh.Hexes.size() },
+                                  { ArrayNames::OctreeIndex, arrays.PointOctreeIndex.size(),
+                                    mesh.Points.size() } } },
+      mesh);
+  }
   if (!status.Ok())
   {
     return status;

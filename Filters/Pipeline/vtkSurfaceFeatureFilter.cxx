@@ -4,6 +4,7 @@
 #include "ArrayNames.h"
 #include "DataConversion.h"
 #include "FeatureConversion.h"
+#include "StageCheck.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -138,6 +139,15 @@ featurehex::Status vtkSurfaceFeatureFilter::Compute(
   {
     status =
       ExtractFeatures(surface, given ? &annotation : nullptr, this->Options(), features, found);
+  }
+  if (status.Ok())
+  {
+    const std::size_t triangles = surface.Triangles.size();
+    status = CheckStageOutput(
+      { "surface check", StagePromise::Conforming,
+        { { ArrayNames::PatchId, features.PatchOfTriangle.size(), triangles },
+          { ArrayNames::ComponentId, report.ComponentOfTriangle.size(), triangles } } },
+      surface);
   }
   if (!status.Ok())
   {

@@ -3,6 +3,7 @@
 
 #include "DataConversion.h"
 #include "FeatureSizing.h"
+#include "StageCheck.h"
 #include "StageFeatures.h"
 #include "SurfaceGeometry.h"
 #include "SurfaceSizing.h"
@@ -130,6 +131,10 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   OctreePrediction prediction;
   status = BuildBlockOctree(surface.Mesh(), points, options, octree, &prediction, monitor);
   this->PredictedNumberOfCells = prediction.Cells;
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "octree", StagePromise::Conforming }, octree);
+  }
   if (status.Ok())
   {
     GridFromOctree(octree, vtkUnstructuredGrid::GetData(outputs));

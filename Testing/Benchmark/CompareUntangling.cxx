@@ -19,6 +19,7 @@
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"
 
+#include "../Core/SharedData.h"
 #include "../Core/TangledMesh.h"
 
 #include <algorithm>
@@ -131,7 +132,7 @@ std::vector<std::filesystem::path> FilesOf(const std::filesystem::path& folder)
 
 int main(int argc, char* argv[])
 {
-  const std::filesystem::path data = argc > 1 ? argv[1] : SharedFolder() + "/data";
+  const std::filesystem::path data = argc > 1 ? std::filesystem::path(argv[1]) : SharedData();
   std::printf("model\tboundary\tmethod\thexes\tinverted_before\tinverted_after\thopeless\tsweeps\t"
               "seconds\tminimum_scaled_jacobian\tmean_scaled_jacobian\n");
   for (const std::filesystem::path& file : FilesOf(data / "tangled"))

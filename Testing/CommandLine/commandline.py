@@ -8,7 +8,8 @@ import tempfile
 
 FEATUREHEX = os.environ["FEATUREHEX_EXECUTABLE"]
 SOURCE = os.environ["FEATUREHEX_SOURCE_DIR"]
-SHARED = os.environ.get("FEATUREHEX_SHARED", "/work/shared")
+SHARED = os.environ.get(
+    "FEATUREHEX_SHARED", os.path.join(os.path.dirname(os.path.abspath(SOURCE)), "shared"))
 DATA = os.path.join(SOURCE, "Data")
 SPHERE = os.path.join(DATA, "sphere.stl")
 # Coarse, so that a test takes a second.

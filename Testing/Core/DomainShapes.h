@@ -7,6 +7,7 @@
 
 #include "MeshTopology.h"
 #include "OctreeDual.h"
+#include "SharedData.h"
 #include "SurfaceReader.h"
 #include "TriangleSearch.h"
 #include "WindingNumber.h"
@@ -14,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -176,9 +176,7 @@ inline HexMesh DualMesh(const SurfaceMesh& surface, double edgeLength,
 /// A real scan; no points when the test data isn't there.
 inline SurfaceMesh Scan(const std::string& name)
 {
-  const char* folder = std::getenv("FEATUREHEX_SHARED");
-  const std::string path =
-    std::string(folder ? folder : "/work/shared") + "/data/surfaces/organic/" + name + ".obj";
+  const std::string path = SharedData() / "surfaces/organic" / (name + ".obj");
   SurfaceMesh mesh;
   if (std::filesystem::exists(path))
   {

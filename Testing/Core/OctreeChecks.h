@@ -7,13 +7,13 @@
 
 #include "BlockOctree.h"
 #include "OctreeDual.h"
+#include "SharedData.h"
 #include "SurfaceReader.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <random>
@@ -29,9 +29,7 @@ using namespace featurehex;
 /// Path of a real scan, empty when the test data isn't there.
 inline std::string ScanPath(const std::string& name)
 {
-  const char* folder = std::getenv("FEATUREHEX_SHARED");
-  const std::string path =
-    std::string(folder ? folder : "/work/shared") + "/data/surfaces/organic/" + name + ".obj";
+  const std::string path = SharedData() / "surfaces/organic" / (name + ".obj");
   return std::filesystem::exists(path) ? path : std::string();
 }
 

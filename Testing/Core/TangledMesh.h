@@ -7,20 +7,12 @@
 
 #include "ValidationShapes.h"
 
-#include <cstdlib>
 #include <fstream>
 #include <random>
 #include <string>
 
 namespace featurehex
 {
-/// Folder of the shared test data; it may not exist.
-inline std::string SharedFolder()
-{
-  const char* folder = std::getenv("FEATUREHEX_SHARED");
-  return folder ? folder : "/work/shared";
-}
-
 /// Reads an ASCII legacy VTK file that holds hexes only; false when there is none at @a path.
 inline bool ReadTangledMesh(const std::string& path, HexMesh& mesh)
 {

@@ -2,6 +2,7 @@
 #include "FeatureDetection.h"
 
 #include "FeatureGraphFile.h"
+#include "SharedData.h"
 #include "SurfaceCheck.h"
 #include "SurfaceReader.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 
@@ -281,8 +281,7 @@ TEST(FeatureDetection, NormalsOfSliversAreNotBelieved)
 /// The closed creases of real parts are found exactly; the rule says no more than the file.
 TEST(FeatureDetection, RealParts)
 {
-  const char* folder = std::getenv("FEATUREHEX_SHARED");
-  const std::string data = std::string(folder ? folder : "/work/shared") + "/data/";
+  const std::string data = SharedData().string() + "/";
   if (!std::filesystem::exists(data + "surfaces/cad"))
   {
     GTEST_SKIP() << "no surfaces in " << data;

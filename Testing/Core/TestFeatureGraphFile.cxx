@@ -2,24 +2,15 @@
 #include "FeatureGraphFile.h"
 
 #include "FileAccess.h"
+#include "SharedData.h"
 #include "SurfaceReader.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 using namespace featurehex;
 namespace fs = std::filesystem;
-
-namespace
-{
-fs::path SharedData()
-{
-  const char* shared = std::getenv("FEATUREHEX_SHARED");
-  return fs::path(shared ? shared : "/work/shared") / "data";
-}
-} // namespace
 
 TEST(FeatureGraphFile, RoundTrip)
 {

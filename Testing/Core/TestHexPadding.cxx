@@ -4,6 +4,7 @@
 #include "DomainShapes.h"
 #include "HexDomain.h"
 #include "HexQuality.h"
+#include "ValidationShapes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -167,4 +168,21 @@ TEST(HexPadding, SaysWhatIsWrong)
   PaddingOptions flat;
   flat.Thickness = 0;
   EXPECT_EQ(PadInterface(mesh, outside, flat, padded).Code, StatusCode::InvalidOption);
+}
+
+TEST(HexPadding, BodiesThatTouchAlongAnEdgeAreRefused)
+{
+  const HexMesh mesh = CubeMesh(2);
+  // Hexes 0 and 3 share an edge, 0 and 7 the middle point.
+  for (const Index other : { 3, 7 })
+  {
+    std::vector<int> region(8, 0);
+    region[0] = region[other] = 1;
+    PaddedMesh padded;
+    const Status status = PadInterface(mesh, region, PaddingOptions(), padded);
+    EXPECT_EQ(status.Code, StatusCode::InvalidMesh);
+    EXPECT_NE(status.Message.find("not a manifold"), std::string::npos) << status.Message;
+    EXPECT_EQ(status.Where.size(), 1u);
+    EXPECT_TRUE(padded.Mesh.Hexes.empty());
+  }
 }

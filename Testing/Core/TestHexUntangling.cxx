@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexUntangling.h"
 
+#include "SharedData.h"
 #include "TangledMesh.h"
 
 #include <gtest/gtest.h>
@@ -229,9 +230,9 @@ TEST_P(SharedTangles, AreUntangled)
 {
   const SharedTangle& expected = GetParam();
   HexMesh mesh;
-  if (!ReadTangledMesh(SharedFolder() + "/data/tangled/" + expected.Name + ".vtk", mesh))
+  if (!ReadTangledMesh(SharedData() / "tangled" / (std::string(expected.Name) + ".vtk"), mesh))
   {
-    GTEST_SKIP() << "no tangled meshes in " << SharedFolder() << " (set FEATUREHEX_SHARED)";
+    GTEST_SKIP() << "no tangled meshes in " << SharedData() << " (set FEATUREHEX_SHARED)";
   }
   HexMesh other = mesh;
   EXPECT_LE(

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceCheck.h"
+
+#include "SharedData.h"
 #include "SurfaceFlaws.h"
 #include "SurfaceReader.h"
 #include "SurfaceTopology.h"
@@ -11,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -191,12 +192,6 @@ void ExpectRejected(SurfaceMesh s, StatusCode code, const std::string& words)
   EXPECT_TRUE(s.Triangles == before.Triangles);
   EXPECT_EQ(s.Points.size(), before.Points.size());
   EXPECT_LE(result.Status.Where.size(), SurfaceCheckOptions().MaximumNumberOfPlaces);
-}
-
-fs::path Data()
-{
-  const char* shared = std::getenv("FEATUREHEX_SHARED");
-  return fs::path(shared ? shared : "/work/shared") / "data";
 }
 } // namespace
 
@@ -692,7 +687,7 @@ TEST(SurfaceCheck, RandomSoups)
 
 TEST(SurfaceCheck, SharedBadFiles)
 {
-  const fs::path folder = Data() / "bad";
+  const fs::path folder = SharedData() / "bad";
   if (!fs::exists(folder))
   {
     GTEST_SKIP() << folder << " doesn't exist";
@@ -752,13 +747,13 @@ TEST(SurfaceCheck, SharedBadFiles)
 
 TEST(SurfaceCheck, SharedGoodFiles)
 {
-  if (!fs::exists(Data() / "surfaces"))
+  if (!fs::exists(SharedData() / "surfaces"))
   {
-    GTEST_SKIP() << Data() / "surfaces"
+    GTEST_SKIP() << SharedData() / "surfaces"
                  << " doesn't exist";
   }
   std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(Data() / "surfaces"))
+  for (const auto& entry : fs::recursive_directory_iterator(SharedData() / "surfaces"))
   {
     if (entry.path().extension() == ".obj")
     {

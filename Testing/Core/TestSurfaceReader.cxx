@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceReader.h"
 
+#include "SharedData.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <clocale>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -19,8 +20,7 @@ namespace
 {
 fs::path BadData()
 {
-  const char* shared = std::getenv("FEATUREHEX_SHARED");
-  return fs::path(shared ? shared : "/work/shared") / "data" / "bad";
+  return SharedData() / "bad";
 }
 
 Status Parse(const std::string& text, SurfaceFormat format, SurfaceMesh& surface)

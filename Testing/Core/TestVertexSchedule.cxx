@@ -119,6 +119,25 @@ TEST(VertexSchedule, CountsVisitsThatReturnTrue)
   EXPECT_EQ(VertexSchedule().Sweep([](Index) { return true; }), 0u);
 }
 
+TEST(VertexSchedule, StopsBetweenColors)
+{
+  class StopAtSecond : public Monitor
+  {
+    int Asked = 0;
+    bool AbortRequested() override { return ++this->Asked == 2; }
+  };
+  const HexMesh mesh = CubeMesh(20);
+  const VertexSchedule schedule(mesh.Hexes, CellsOfVertices(mesh.Hexes, mesh.Points.size()), 1);
+  std::size_t first = 0;
+  for (const VertexSchedule::Block& block : schedule.BlocksByColor().front())
+  {
+    first += block.Last - block.First;
+  }
+  StopAtSecond monitor;
+  EXPECT_EQ(schedule.Sweep([](Index) { return true; }, &monitor), first);
+  EXPECT_LT(first, mesh.Points.size());
+}
+
 TEST(VertexSchedule, NeighboursSeeEachOtherInTheSameOrderForAnyNumberOfThreads)
 {
   const HexMesh mesh = CubeMesh(20);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ArrayNames.h"
 #include "Status.h"
+#include "../Core/SharedData.h"
 
 #include "vtkFeatureGraphReader.h"
 #include "vtkFeatureGraphWriter.h"
@@ -37,7 +38,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -240,12 +240,6 @@ void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
       EXPECT_EQ(array->GetComponent(c, 0), other->GetComponent(c, 0)) << array->GetName() << c;
     }
   }
-}
-
-fs::path SharedData()
-{
-  const char* shared = std::getenv("FEATUREHEX_SHARED");
-  return fs::path(shared ? shared : "/work/shared") / "data";
 }
 } // namespace
 
