@@ -3,8 +3,9 @@
 /// How long after a request to abort the composite filter returns; prints two tables, tab
 /// separated.
 ///
-///   MeasureAbort SURFACE
+///   MeasureAbort SURFACE [FEATURE_ANGLE]
 ///
+/// With an angle (degrees) sharp features are found by it, else there are none.
 /// The first run asks nothing and lists, for each phase, the longest time between two questions
 /// whether to stop: the bound for a request at any moment. The runs after it are stopped by another
 /// thread at shares of that time. Exit code 1: one took more than a second or left an output.
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <thread>
 #include <utility>
@@ -76,10 +78,19 @@ private:
 
 int main(int argc, char* argv[])
 {
-  if (argc != 2)
+  if (argc < 2 || argc > 3)
   {
-    std::fprintf(stderr, "usage: MeasureAbort SURFACE\n");
+    std::fprintf(stderr, "usage: MeasureAbort SURFACE [FEATURE_ANGLE]\n");
     return 2;
+  }
+  vtkNew<vtkFeatureHexMesher> mesher;
+  MeshingOptions options;
+  if (argc == 3)
+  {
+    mesher->SetFeatureModeToAngle();
+    mesher->SetFeatureAngle(std::atof(argv[2]));
+    options.Features.Mode = FeatureMode::Angle;
+    options.Features.Detection.FeatureAngle = mesher->GetFeatureAngle();
   }
   SurfaceMesh surface;
   MeshingResult result;
@@ -88,7 +99,7 @@ int main(int argc, char* argv[])
   const Timer::time_point start = Timer::now();
   if (status.Ok())
   {
-    status = MeshSurface(surface, MeshingOptions(), monitor, result);
+    status = MeshSurface(surface, options, monitor, result);
     monitor.Asked();
   }
   if (!status.Ok())
@@ -110,7 +121,6 @@ int main(int argc, char* argv[])
   vtkNew<vtkSurfaceFileReader> reader;
   reader->SetFileName(argv[1]);
   reader->Update();
-  vtkNew<vtkFeatureHexMesher> mesher;
   mesher->SetInputConnection(reader->GetOutputPort());
   for (const double share : { 0.1, 0.3, 0.5, 0.7, 0.9 })
   {
@@ -127,6 +137,11 @@ int main(int argc, char* argv[])
     const Timer::time_point returned = Timer::now();
     stopper.join();
     const double seconds = std::chrono::duration<double>(returned - asked).count();
+    if (seconds < 0)
+    {
+      std::printf("%.1f\tended before\n", share);
+      continue;
+    }
     const bool empty =
       mesher->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL) == 0;
     std::printf("%.1f\t%.3f\t%s\n", share, seconds, empty ? "yes" : "no");
