@@ -6,6 +6,7 @@
 #include "HexFeatureConversion.h"
 #include "HexFeatureMapping.h"
 #include "RefinementConversion.h"
+#include "StageCheck.h"
 #include "StageFeatures.h"
 
 #include "vtkCellData.h"
@@ -164,6 +165,10 @@ featurehex::Status vtkHexFeatureMappingFilter::Compute(
     options.MaximumAttempts = this->MaximumAttempts;
     status = MapFeaturesToInterface(
       labelled.Mesh, labelled.Interface, features.Geometry(), options, monitor, mapping);
+  }
+  if (status.Ok())
+  {
+    status = CheckStageOutput({ "feature mapping", StagePromise::Conforming }, labelled.Mesh);
   }
   if (!status.Ok())
   {

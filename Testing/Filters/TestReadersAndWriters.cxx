@@ -53,6 +53,7 @@
 #endif
 
 namespace fs = std::filesystem;
+using featurehex::SharedData;
 using featurehex::StatusCode;
 
 namespace
