@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeatureHexMesher.h"
+
+#include "FeatureGraphFile.h"
+#include "SurfaceReader.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkSMPTools.h>
+
+using namespace featurehex;
+
+namespace
+{
+/// A surface of Data/rotation with its features.
+void Read(const std::string& name, SurfaceMesh& surface, MeshingOptions& options)
+{
+  const std::string path = std::string(FEATUREHEX_SOURCE_DIR) + "/Data/rotation/" + name;
+  Status status = ReadSurface(path + ".obj", surface);
+  ASSERT_TRUE(status.Ok()) << status.Message;
+  FeatureGraph graph;
+  status = ReadFeatureGraph(
+    path + ".fgraph", static_cast<std::int64_t>(surface.Points.size()), graph);
+  ASSERT_TRUE(status.Ok()) << status.Message;
+  options.Features.Mode = FeatureMode::Given;
+  options.Features.Edges = graph.Edges;
+  options.Features.Corners = graph.Corners;
+  options.TargetEdgeLength = BoundingBox(surface).Size().maxCoeff() / 8;
+}
+}
+
+TEST(FeatureHexMesher, TurnedCubeHasAllItsFeaturesForAnyNumberOfThreads)
+{
+  SurfaceMesh surface;
+  MeshingOptions options;
+  Read("cube_xyz_25", surface, options);
+  MeshingResult results[2];
+  for (int threads : { 1, 2 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads }, [&] {
+      Monitor monitor;
+      const Status status = MeshSurface(surface, options, monitor, results[threads - 1]);
+      EXPECT_TRUE(status.Ok()) << status.Message;
+    });
+  }
+  const MeshingResult& result = results[0];
+  ASSERT_FALSE(result.Mesh.Hexes.empty());
+  EXPECT_TRUE(result.Validation.Result.Ok()) << result.Validation.Result.Message;
+  EXPECT_GE(result.Validation.Quality.Minimum, 0.2);
+  const FeatureValidationReport& features = result.Validation.Features;
+  EXPECT_TRUE(features.AllCaptured()) << features.Complaint();
+  EXPECT_EQ(features.CornerTotals().Captured, 8);
+  EXPECT_EQ(features.CurveTotals().Captured, 12);
+  EXPECT_EQ(features.PatchTotals().Captured, 6);
+  EXPECT_EQ(results[1].Mesh.Points, result.Mesh.Points);
+  EXPECT_EQ(results[1].Mesh.Hexes, result.Mesh.Hexes);
+  EXPECT_EQ(results[1].Features.CurvePaths, result.Features.CurvePaths);
+}
+
+TEST(FeatureHexMesher, FeaturesThatNoMeshCanHaveAreGivenUp)
+{
+  // Twelve curves meet at the tip, and no vertex of an interface has as many edges.
+  SurfaceMesh surface;
+  MeshingOptions options;
+  Read("apex_12", surface, options);
+  options.Features.EnforceAll = true;
+  options.MaximumLevel = 2;
+  options.Tolerance = 0.02; // the tip is blunt then, and the test quick
+  Monitor monitor;
+  MeshingResult result;
+  const Status status = MeshSurface(surface, options, monitor, result);
+  ASSERT_TRUE(status.Ok()) << status.Message;
+  const FeatureValidationReport& features = result.Validation.Features;
+  EXPECT_FALSE(features.AllCaptured());
+  EXPECT_EQ(features.CornerTotals().Captured, features.CornerTotals().Found - 1);
+  EXPECT_EQ(result.Features.CornerVertices[12], -1);
+  EXPECT_GE(result.Rounds.size(), 3u);
+  EXPECT_NE(result.Rounds[0].Reason.find("with 12 curves"), std::string::npos)
+    << result.Rounds[0].Reason;
+}
