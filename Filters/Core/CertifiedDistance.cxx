@@ -7,6 +7,7 @@
 #include "SubMonitor.h"
 
 #include <cmath>
+#include <numeric>
 #include <functional>
 
 namespace featurehex
@@ -43,6 +44,7 @@ struct Elements
   std::vector<double> Area;
   std::vector<double> MeanDistance;
   std::vector<ElementDistance> Result;
+  std::vector<char> Exhausted; ///< ended at its budget
 
   std::size_t Size() const { return this->Corner.size(); }
   int Count(std::size_t e) const { return this->Corner[e][3] < 0 ? 3 : 4; }
@@ -235,18 +237,52 @@ DistancePiece RootPiece(const Elements& elements, std::size_t e)
   return piece;
 }
 
-bool BoundAll(
-  const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
+/// Bounds of the elements @a ids, which share what is left of the budget.
+bool BoundSome(const DistanceTarget& target, Elements& elements, const std::vector<std::size_t>& ids,
+  DistanceGoal goal, std::int64_t budget, Monitor& monitor)
 {
-  const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, elements.Size()));
-  goal.Budget = std::clamp<std::int64_t>(TotalBudget / count, 1000, 1000000);
+  const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, ids.size()));
+  goal.Budget = std::clamp<std::int64_t>(budget / count, 1000, 1000000);
   return ParallelBlocks(
-    elements.Size(), 16, 0.4, 1.0, monitor, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t e = begin; e < end; ++e)
+    ids.size(), 16, 0.0, 1.0, monitor, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
       {
-        BoundElement(target, RootPiece(elements, e), goal, elements.Result[e]);
+        const std::size_t e = ids[i];
+        ElementDistance& result = elements.Result[e];
+        const std::int64_t before = result.Pieces;
+        result.Pieces = 0;
+        BoundElement(target, RootPiece(elements, e), goal, result);
+        elements.Exhausted[e] = result.Pieces >= goal.Budget;
+        result.Pieces += before;
       }
     });
+}
+
+/// Most elements need few pieces. Those that need more, where a large triangle lies on a fine part of the mesh, start again
+/// with what the others left.
+bool BoundAll(
+  const DistanceTarget& target, Elements& elements, const DistanceGoal& goal, Monitor& monitor)
+{
+  std::vector<std::size_t> ids(elements.Size());
+  std::iota(ids.begin(), ids.end(), std::size_t(0));
+  elements.Exhausted.assign(elements.Size(), 0);
+  SubMonitor first(monitor, 0.4, 0.8);
+  if (!BoundSome(target, elements, ids, goal, TotalBudget, first))
+  {
+    return false;
+  }
+  std::int64_t used = 0;
+  ids.clear();
+  for (std::size_t e = 0; e < elements.Size(); ++e)
+  {
+    used += elements.Result[e].Pieces;
+    if (elements.Exhausted[e])
+    {
+      ids.push_back(e);
+    }
+  }
+  SubMonitor second(monitor, 0.8, 1.0);
+  return ids.empty() || BoundSome(target, elements, ids, goal, TotalBudget - used, second);
 }
 
 /// Decides for every element whether it is within goal.Accept.

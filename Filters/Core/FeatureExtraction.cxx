@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureExtraction.h"
 
+#include "RedundantCurves.h"
 #include "SurfaceFlaws.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace featurehex
 {
@@ -125,6 +127,7 @@ public:
   }
 
   Status Annotate(const FeatureAnnotation& annotation);
+  Status DropRedundant(SurfaceFeatures& features);
   Status Build(SurfaceFeatures& features)
   {
     return BuildSurfaceFeatures(
@@ -187,6 +190,54 @@ Status Selection::Remove(const std::vector<PointPair>& edges, std::vector<Index>
   this->Graph.CornerAngle = 0.0;
   return status;
 }
+/// Until nothing changes: without a double a kink of the other curve is no corner any more.
+Status Selection::DropRedundant(SurfaceFeatures& features)
+{
+  const double distance =
+    this->Options.RedundantDistance * BoundingBox(this->Surface).Diagonal();
+  for (;;)
+  {
+    const std::vector<Index> redundant =
+      this->Graph.EnforceAll ? std::vector<Index>() : FindRedundantCurves(this->Surface, features, distance);
+    if (redundant.empty())
+    {
+      return Status();
+    }
+    std::set<Index> left; // points that keep a curve
+    std::vector<PointPair> dropped;
+    for (Index c = 0; c < static_cast<Index>(features.Curves.size()); ++c)
+    {
+      const std::vector<Index>& points = features.Curves[c].Points;
+      if (!std::binary_search(redundant.begin(), redundant.end(), c))
+      {
+        left.insert(points.begin(), points.end());
+        continue;
+      }
+      this->Report.RedundantCurves.push_back(this->Surface.Points[points[points.size() / 2]]);
+      for (std::size_t i = 1; i < points.size(); ++i)
+      {
+        dropped.push_back({ points[i - 1], points[i] });
+      }
+    }
+    std::set<Index> lost; // corners whose curves are all dropped
+    for (const PointPair& edge : dropped)
+    {
+      for (Index v : edge)
+      {
+        if (left.count(v) == 0)
+        {
+          lost.insert(v);
+        }
+      }
+    }
+    this->Edges = Without(Sorted(this->Edges), Sorted(dropped));
+    this->Corners = Without(Sorted(this->Corners), std::vector<Index>(lost.begin(), lost.end()));
+    if (Status status = this->Build(features); !status.Ok())
+    {
+      return status;
+    }
+  }
+}
 } // namespace
 
 Status ExtractFeatures(const SurfaceMesh& surface, const FeatureAnnotation* annotation,
@@ -208,8 +259,18 @@ Status ExtractFeatures(const SurfaceMesh& surface, const FeatureAnnotation* anno
       return status;
     }
   }
-  const Status status = selection.Build(features);
+  Status status = selection.Build(features);
+  if (status.Ok())
+  {
+    status = selection.DropRedundant(features);
+  }
   DescribeCleanUp(report.Detection, report.Notes);
+  if (!report.RedundantCurves.empty())
+  {
+    report.Notes.push_back(
+      CountText(report.RedundantCurves.size(), "curve", "curves") +
+      " dropped that can't be told from others beside" + FirstPlace(report.RedundantCurves));
+  }
   DescribeFlaws(surface, features, report.Warnings);
   report.LooseShare = LooseShareOf(surface, features);
   if (report.LooseShare > DoubtfulShare && report.Detection.NumberOfSharpEdges > 0)

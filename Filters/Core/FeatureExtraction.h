@@ -34,6 +34,9 @@ struct FeatureExtractionOptions
   AnnotationMode Mode = AnnotationMode::Replace;
   /// True: gaps are closed and spurs dropped in what the annotation gives, too.
   bool CleanUpAnnotation = false;
+  /// Curves so near to others along their whole length are dropped, fraction of the diagonal of the bounding box:
+  /// see FindRedundantCurves(). Not with Graph.EnforceAll. 0: none.
+  double RedundantDistance = 5e-4;
   FeatureDetectionOptions Detection;
   FeatureGraphOptions Graph;
 };
@@ -42,6 +45,7 @@ struct FeatureExtractionReport
 {
   FeatureDetectionReport Detection;
   FeatureGraphReport Graph;
+  std::vector<Vec3> RedundantCurves; ///< middle point of each curve dropped
   /// Share of the length of the curves that has the same patch on both sides. CAD parts have less
   /// than a half, scans more: what an angle finds there is noise.
   double LooseShare = 0.0;

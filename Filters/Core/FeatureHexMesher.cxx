@@ -474,15 +474,15 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   {
     const StageClock clock(this->Result.Timings, "padding");
     this->BeginPhase("padding", 0.15, 0.17);
-    status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body);
+    this->Features = this->Mapping.Features;
+    status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body,
+      this->Geometry ? &this->Features : nullptr, this->Geometry.get());
     if (!status.Ok())
     {
       return Outcome::Failed;
     }
     if (this->Geometry)
     {
-      this->Features =
-        FeaturesOfPaddedMesh(this->Mapping.Features, this->Body, HexStars(this->Body.Mesh));
       PadDegenerateQuads(this->Body, this->Features, *this->Geometry, LocalPaddingOptions());
     }
     status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);

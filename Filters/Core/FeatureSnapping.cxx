@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureSnapping.h"
 
+#include "BoundarySpreading.h"
 #include "VertexImprover.h"
 
 #include <algorithm>
@@ -50,6 +51,7 @@ private:
   bool Force(Index vertex, int rings, bool withNeighbors);
   Region RegionAround(Index vertex, int rings) const;
   double LeastDeterminant(const Region& region) const;
+  Index CountFolded(const Region& region) const;
   bool Untangle(const Region& region);
   bool Certified(const Region& region) const;
 
@@ -151,6 +153,19 @@ bool Snapper::Certified(const Region& region) const
   });
 }
 
+Index Snapper::CountFolded(const Region& region) const
+{
+  Index folded = 0;
+  for (Index v : region.Vertices)
+  {
+    for (Index q : this->Stars.QuadsOfVertex[v])
+    {
+      folded += IsFolded(this->Mesh, this->Stars, this->Features, q) ? 1 : 0;
+    }
+  }
+  return folded;
+}
+
 bool Snapper::Untangle(const Region& region)
 {
   double least = this->LeastDeterminant(region);
@@ -176,6 +191,7 @@ bool Snapper::Untangle(const Region& region)
 bool Snapper::Force(Index vertex, int rings, bool withNeighbors)
 {
   const Region region = this->RegionAround(vertex, rings);
+  const Index folded = this->CountFolded(region);
   std::fill(this->Optimizer.Fixed.begin(), this->Optimizer.Fixed.end(), true);
   std::vector<Index> forced;
   for (Index v : region.Vertices)
@@ -188,7 +204,7 @@ bool Snapper::Force(Index vertex, int rings, bool withNeighbors)
       this->Features.Lock(v);
     }
   }
-  const bool sound = this->Untangle(region);
+  const bool sound = this->Untangle(region) && this->CountFolded(region) <= folded;
   if (!sound)
   {
     for (Index v : forced)

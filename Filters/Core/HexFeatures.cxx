@@ -3,6 +3,34 @@
 
 namespace featurehex
 {
+void RenumberFeatures(const std::vector<Index>& ids, HexFeatures& features)
+{
+  for (Index& v : features.CornerVertices)
+  {
+    v = v < 0 ? -1 : ids[v];
+  }
+  for (std::vector<Index>& path : features.CurvePaths)
+  {
+    for (Index& v : path)
+    {
+      v = ids[v];
+    }
+  }
+}
+
+std::vector<int> QuadPatches::Of(const std::vector<Quad>& quads) const
+{
+  std::vector<int> patches;
+  patches.reserve(quads.size());
+  for (Quad quad : quads)
+  {
+    std::sort(quad.begin(), quad.end());
+    const auto found = this->Patches.find(quad);
+    patches.push_back(found == this->Patches.end() ? -1 : found->second);
+  }
+  return patches;
+}
+
 FeatureLabels::FeatureLabels(
   const HexFeatures& features, const std::vector<Quad>& quads, std::size_t numberOfPoints)
   : Kind(numberOfPoints, FeatureKind::Interior)

@@ -7,6 +7,9 @@
 
 #include "HexStars.h"
 
+#include <algorithm>
+#include <map>
+
 namespace featurehex
 {
 /// Corners are vertices, curves chains of boundary edges, patches sets of boundary quads. Ids are those of
@@ -18,6 +21,25 @@ struct HexFeatures
   std::vector<int> PatchOfQuad;               ///< of each boundary quad, in the order of HexStars::Quads
 
   bool Empty() const { return this->PatchOfQuad.empty(); }
+};
+
+/// New vertex ids for corners and curves; @a ids: of each old vertex.
+void RenumberFeatures(const std::vector<Index>& ids, HexFeatures& features);
+
+/// Patches of boundary quads while a mesh changes: quads are known by their vertices.
+class QuadPatches
+{
+public:
+  void Add(Quad quad, int patch)
+  {
+    std::sort(quad.begin(), quad.end());
+    this->Patches[quad] = patch;
+  }
+  /// -1: a quad that was not added.
+  std::vector<int> Of(const std::vector<Quad>& quads) const;
+
+private:
+  std::map<Quad, int> Patches;
 };
 
 /// Values of the array FeatureKind.

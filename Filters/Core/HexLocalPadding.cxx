@@ -42,13 +42,21 @@ public:
   /// Group of each boundary quad, 1 and up; 0: not padded.
   std::vector<Index> Groups(LocalPaddingReport& report) const;
 
-  /// For face f of hex h at [6 h + f]: it stands under a feature edge.
-  std::vector<char> FacesUnderCurves(const HexMesh& mesh) const;
+  /// For face f of hex h at [6 h + f]: it stands under a feature edge with padded quads on both sides. The hexes beside
+  /// an edge that ends at a crease may be padded for their other quads: a wall there would end inside the group.
+  std::vector<char> FacesUnderCurves(const HexMesh& mesh, const std::vector<Index>& groups,
+    const std::vector<Index>& groupOfHex) const;
 
 private:
   template <typename Visitor>
   void VisitSectors(const Visitor& visit) const;
   bool Degenerate(Index incoming, Index outgoing) const;
+  /// A crease with one hex: both quads belong to it.
+  bool OneHexAt(Index dart) const
+  {
+    return this->Stars.QuadOwners[dart / 4] ==
+      this->Stars.QuadOwners[this->Graph.Opposite(dart) / 4];
+  }
   void ChooseCrowded(std::vector<char>& chosen) const;
   bool CompleteSectors(std::vector<char>& chosen) const;
   void LeaveFreeEnds(std::vector<char>& chosen) const;
@@ -85,7 +93,8 @@ double DegenerateQuads::SectorAngle(Index corner, Index outgoing, Index incoming
 /// Both are consecutive sides of one quad.
 bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
 {
-  if (this->CurveOfDart[incoming] < 0 || this->CurveOfDart[outgoing] < 0)
+  if (this->CurveOfDart[incoming] < 0 || this->CurveOfDart[outgoing] < 0 ||
+    this->OneHexAt(incoming) || this->OneHexAt(outgoing))
   {
     return false;
   }
@@ -186,12 +195,17 @@ void DegenerateQuads::LeaveFreeEnds(std::vector<char>& chosen) const
   }
 }
 
-std::vector<char> DegenerateQuads::FacesUnderCurves(const HexMesh& mesh) const
+std::vector<char> DegenerateQuads::FacesUnderCurves(const HexMesh& mesh,
+  const std::vector<Index>& groups, const std::vector<Index>& groupOfHex) const
 {
   std::vector<char> under(6 * mesh.Hexes.size(), 0);
+  const auto padded = [&](Index dart) {
+    const Index group = groups[dart / 4];
+    return group > 0 && groupOfHex[this->Stars.QuadOwners[dart / 4]] == group;
+  };
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
-    if (this->CurveOfDart[d] < 0)
+    if (this->CurveOfDart[d] < 0 || !padded(d) || !padded(this->Graph.Opposite(d)))
     {
       continue;
     }
@@ -276,9 +290,10 @@ class Pillow
 {
 public:
   /// @a walls: as FacesUnderCurves(): hexes of one group are shrunk away from each other there, too.
-  Pillow(PaddedMesh& padded, const HexStars& stars, const std::vector<Index>& groupOfHex,
-    const std::vector<char>& walls, double thickness)
+  Pillow(PaddedMesh& padded, HexFeatures& features, const HexStars& stars,
+    const std::vector<Index>& groupOfHex, const std::vector<char>& walls, double thickness)
     : Padded(padded)
+    , Features(features)
     , Stars(stars)
     , Groups(groupOfHex)
     , Walls(walls)
@@ -298,14 +313,23 @@ private:
   }
   void CopyVertex(Index v);
   Vec3 Center(Index hex) const;
+  void CollectPatches();
+  void ExtendPaths();
+  Index CopyIn(Index hex, Index v) const
+  {
+    const Hex& old = this->Padded.Mesh.Hexes[hex];
+    return this->Copies[hex][std::find(old.begin(), old.end(), v) - old.begin()];
+  }
 
   PaddedMesh& Padded;
+  HexFeatures& Features;
   const HexStars& Stars;
   const std::vector<Index>& Groups;
   const std::vector<char>& Walls;
   double Thickness;
   std::vector<std::array<Index, 6>> Neighbors;
   std::vector<std::array<Index, 8>> Copies; ///< of each hex: its vertices afterwards
+  QuadPatches Patches;                      ///< of the boundary afterwards
 };
 
 Vec3 Pillow::Center(Index hex) const
@@ -375,6 +399,62 @@ void Pillow::CopyVertex(Index v)
   }
 }
 
+/// Boundary quads move with their hexes; where a layer comes to the surface it belongs to the patch of the quad beside it.
+void Pillow::CollectPatches()
+{
+  for (std::size_t q = 0; q < this->Stars.Quads.size(); ++q)
+  {
+    const Quad& old = this->Stars.Quads[q];
+    const Index hex = this->Stars.QuadOwners[q];
+    Quad quad;
+    for (int k = 0; k < 4; ++k)
+    {
+      quad[k] = this->CopyIn(hex, old[k]);
+    }
+    this->Patches.Add(quad, this->Features.PatchOfQuad[q]);
+    for (int k = 0; k < 4; ++k)
+    {
+      const int next = (k + 1) & 3;
+      if (quad[k] != old[k] && quad[next] != old[next])
+      {
+        this->Patches.Add({ quad[k], quad[next], old[next], old[k] }, this->Features.PatchOfQuad[q]);
+      }
+    }
+  }
+}
+
+/// Where the rim of a group crosses a curve, a vertex of its path becomes an edge.
+void Pillow::ExtendPaths()
+{
+  const QuadGraph graph(this->Stars.Quads, this->Stars.Hexes.size());
+  for (std::vector<Index>& path : this->Features.CurvePaths)
+  {
+    std::vector<Index> longer;
+    const auto append = [&longer](Index v) {
+      if (longer.empty() || longer.back() != v)
+      {
+        longer.push_back(v);
+      }
+    };
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      const Index dart = graph.Find(path[i - 1], path[i]);
+      const Index left = this->Stars.QuadOwners[dart / 4];
+      const Index right = this->Stars.QuadOwners[graph.Opposite(dart) / 4];
+      const Index from = this->CopyIn(left, path[i - 1]);
+      const Index to = this->CopyIn(left, path[i]);
+      append(path[i - 1]);
+      if (from == this->CopyIn(right, path[i - 1]) && to == this->CopyIn(right, path[i]))
+      {
+        append(from);
+        append(to);
+      }
+      append(path[i]);
+    }
+    path = std::move(longer);
+  }
+}
+
 void Pillow::Apply()
 {
   HexMesh& mesh = this->Padded.Mesh;
@@ -384,6 +464,8 @@ void Pillow::Apply()
   {
     this->CopyVertex(v);
   }
+  this->CollectPatches();
+  this->ExtendPaths();
   const Index count = static_cast<Index>(mesh.Hexes.size());
   for (Index h = 0; h < count; ++h)
   {
@@ -403,45 +485,29 @@ void Pillow::Apply()
       this->Padded.Region.push_back(this->Padded.Region[h]);
       this->Padded.IsLayer.push_back(1);
       this->Padded.SourceHex.push_back(this->Padded.SourceHex[h]);
-      this->Padded.SourceQuad.push_back(this->Padded.SourceQuad[h]);
     }
   }
   for (Index h = 0; h < count; ++h)
   {
     mesh.Hexes[h] = this->Copies[h];
   }
-}
-}
-
-HexFeatures FeaturesOfPaddedMesh(
-  const HexFeatures& interface, const PaddedMesh& padded, const HexStars& stars)
-{
-  std::map<Index, Index> boundaryPoint;
-  for (std::size_t v = 0; v < padded.SourcePoint.size(); ++v)
+  const std::vector<Index> rank = OrderInSpace(this->Padded);
+  RenumberFeatures(rank, this->Features);
+  std::vector<Index> old(rank.size());
+  for (std::size_t v = 0; v < rank.size(); ++v)
   {
-    if (padded.OnBoundary[v])
+    old[rank[v]] = static_cast<Index>(v);
+  }
+  std::vector<Quad> quads = HexStars(mesh).Quads;
+  for (Quad& quad : quads)
+  {
+    for (Index& v : quad)
     {
-      boundaryPoint[padded.SourcePoint[v]] = static_cast<Index>(v);
+      v = old[v];
     }
   }
-  HexFeatures features = interface;
-  for (Index& v : features.CornerVertices)
-  {
-    v = v < 0 ? -1 : boundaryPoint.at(v);
-  }
-  for (std::vector<Index>& path : features.CurvePaths)
-  {
-    for (Index& v : path)
-    {
-      v = boundaryPoint.at(v);
-    }
-  }
-  features.PatchOfQuad.clear();
-  for (Index owner : stars.QuadOwners)
-  {
-    features.PatchOfQuad.push_back(interface.PatchOfQuad[padded.SourceQuad[owner]]);
-  }
-  return features;
+  this->Features.PatchOfQuad = this->Patches.Of(quads);
+}
 }
 
 LocalPaddingReport PadDegenerateQuads(PaddedMesh& padded, HexFeatures& features,
@@ -456,37 +522,16 @@ LocalPaddingReport PadDegenerateQuads(PaddedMesh& padded, HexFeatures& features,
     return report;
   }
   std::vector<Index> groupOfHex(padded.Mesh.Hexes.size(), 0);
-  // New hexes inherit the source quad of the hex they surround, and so its patch.
-  std::vector<int> patchOfSource;
   for (std::size_t q = 0; q < groups.size(); ++q)
   {
-    groupOfHex[stars.QuadOwners[q]] = groups[q];
-    const std::size_t source = padded.SourceQuad[stars.QuadOwners[q]];
-    patchOfSource.resize(std::max(patchOfSource.size(), source + 1), -1);
-    patchOfSource[source] = features.PatchOfQuad[q];
+    Index& group = groupOfHex[stars.QuadOwners[q]];
+    group = std::max(group, groups[q]);
   }
   const std::size_t before = padded.Mesh.Hexes.size();
-  Pillow(padded, stars, groupOfHex, degenerate.FacesUnderCurves(padded.Mesh), options.Thickness)
+  Pillow(padded, features, stars, groupOfHex,
+    degenerate.FacesUnderCurves(padded.Mesh, groups, groupOfHex), options.Thickness)
     .Apply();
   report.AddedHexes = static_cast<Index>(padded.Mesh.Hexes.size() - before);
-
-  const std::vector<Index> rank = OrderInSpace(padded);
-  for (Index& v : features.CornerVertices)
-  {
-    v = v < 0 ? -1 : rank[v];
-  }
-  for (std::vector<Index>& path : features.CurvePaths)
-  {
-    for (Index& v : path)
-    {
-      v = rank[v];
-    }
-  }
-  features.PatchOfQuad.clear();
-  for (Index owner : HexStars(padded.Mesh).QuadOwners)
-  {
-    features.PatchOfQuad.push_back(patchOfSource[padded.SourceQuad[owner]]);
-  }
   return report;
 }
 } // namespace featurehex

@@ -34,15 +34,13 @@ struct LocalPaddingReport
 /// shrunk away from all others ("pillow"); the gap is filled with hexes: a layer below the group, and a ring
 /// round it, whose quads have one edge on the curve each.
 ///
-/// @a padded: the globally padded mesh; @a features: its features, with stars made of it. Both are replaced; the
+/// Creases with one hex have no such quads. Where the rim of a group crosses one, the crease gets one more vertex.
+///
+/// @a padded: the globally padded mesh; @a features: its features. Both are replaced; the
 /// vertices of corners and curves stay the same points. Connectivity is valid afterwards, some
 /// hexes may be inverted.
 LocalPaddingReport PadDegenerateQuads(PaddedMesh& padded, HexFeatures& features,
   const FeatureGeometry& geometry, const LocalPaddingOptions& options);
-
-/// Features of the interface (PatchOfQuad of each interface quad) as features of the padded mesh.
-HexFeatures FeaturesOfPaddedMesh(
-  const HexFeatures& interface, const PaddedMesh& padded, const HexStars& stars);
 } // namespace featurehex
 
 #endif

@@ -4,12 +4,15 @@
 #include "HexAdjacency.h"
 #include "InterfaceRepair.h"
 #include "MeshTopology.h"
+#include "PaddingGroups.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <locale>
+#include <map>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace featurehex
@@ -55,6 +58,58 @@ Status CheckInterface(const HexMesh& mesh, const std::vector<InterfaceQuad>& int
   return Status(StatusCode::InvalidMesh, text.str(), { where });
 }
 
+/// Features of other meshes, or edited by hand.
+Status CheckFeatures(const HexFeatures& features, const std::vector<InterfaceQuad>& interface,
+  const FeatureGeometry* geometry)
+{
+  const auto bad = [](const std::string& text) { return Status(StatusCode::InvalidMesh, text); };
+  const std::vector<int>& patches = features.PatchOfQuad;
+  if (patches.size() != interface.size())
+  {
+    return bad("Padding needs the patch of each quad of the interface: there are " +
+      std::to_string(interface.size()) + " quads and " + std::to_string(patches.size()) +
+      " patches.");
+  }
+  const int highest = *std::max_element(patches.begin(), patches.end());
+  if (geometry && highest >= geometry->Features().NumberOfPatches)
+  {
+    return bad("A quad of the interface belongs to patch " + std::to_string(highest) +
+      ", but the surface has " + std::to_string(geometry->Features().NumberOfPatches) +
+      " patches.");
+  }
+  std::set<std::array<Index, 2>> edges;
+  std::set<Index> vertices;
+  for (const InterfaceQuad& quad : interface)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      edges.insert({ quad.Vertices[k], quad.Vertices[(k + 1) & 3] });
+      vertices.insert(quad.Vertices[k]);
+    }
+  }
+  for (Index v : features.CornerVertices)
+  {
+    if (v >= 0 && vertices.count(v) == 0)
+    {
+      return bad("A corner is at point " + std::to_string(v) +
+        ", which is not on the interface. Map the features to this mesh.");
+    }
+  }
+  for (const std::vector<Index>& path : features.CurvePaths)
+  {
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      if (edges.count({ path[i - 1], path[i] }) == 0)
+      {
+        return bad("A curve runs from point " + std::to_string(path[i - 1]) + " to " +
+          std::to_string(path[i]) +
+          ", which is no edge of the interface. Map the features to this mesh.");
+      }
+    }
+  }
+  return Status();
+}
+
 double MeanEdgeLength(const HexMesh& mesh, Index hex)
 {
   double sum = 0.0;
@@ -65,43 +120,316 @@ double MeanEdgeLength(const HexMesh& mesh, Index hex)
   return sum / 12.0;
 }
 
-/// Where the inner copy of each interface point goes.
-class InwardOffset
+/// Puts one layer after the other under parts of the boundary.
+class LayerBuilder
 {
 public:
-  InwardOffset(const HexMesh& mesh, const std::vector<InterfaceQuad>& quads)
-    : Normals(mesh.Points.size(), Vec3::Zero())
-    , Sizes(mesh.Points.size(), 0.0)
-    , Counts(mesh.Points.size(), 0)
+  LayerBuilder(const HexMesh& mesh, const std::vector<int>& region,
+    const std::vector<InterfaceQuad>& interface, double thickness, PaddedMesh& padded);
+
+  /// Features of the interface become those of the boundary. @a geometry: null puts all patches into one group.
+  void UseFeatures(HexFeatures& features, const FeatureGeometry* geometry);
+
+  int NumberOfGroups() const { return this->Groups; }
+
+  /// A layer under all quads of the group. It comes to the surface in the quads of other groups beside them.
+  void AddLayer(int group);
+
+  /// Patches in the order of the boundary quads, points and hexes in their order.
+  void Finish();
+
+private:
+  struct Facet
   {
-    for (const InterfaceQuad& quad : quads)
+    Quad Vertices;
+    Index Source; ///< hex of the unpadded mesh
+    int Patch = -1;
+    int Group = 0;
+  };
+
+  Index AddPoint(Index source, const Vec3& position)
+  {
+    this->Padded.Mesh.Points.push_back(position);
+    this->Padded.SourcePoint.push_back(source);
+    return static_cast<Index>(this->Padded.Mesh.Points.size()) - 1;
+  }
+  void AddHex(const Hex& hex, Index source, bool layer)
+  {
+    this->Padded.Mesh.Hexes.push_back(hex);
+    this->Padded.Region.push_back(this->Region[source]);
+    this->Padded.IsLayer.push_back(layer);
+    this->Padded.SourceHex.push_back(source);
+  }
+  std::vector<Index> CopyPoints(int group);
+  void UsePatchNormals(int group, std::vector<Vec3>& normals) const;
+  void CloseBorders(int group, const std::vector<Index>& copies);
+  void ExtendPaths(int group, const std::vector<Index>& copies);
+
+  const HexMesh& Mesh;
+  const std::vector<int>& Region;
+  double Thickness;
+  PaddedMesh& Padded;
+  std::vector<Facet> Facets; ///< the boundary
+  HexFeatures* Features = nullptr;
+  const FeatureGeometry* Geometry = nullptr;
+  int Groups = 1;
+  std::vector<std::array<int, 2>> GroupsOfCurve; ///< on its two sides; empty path: none
+};
+
+LayerBuilder::LayerBuilder(const HexMesh& mesh, const std::vector<int>& region,
+  const std::vector<InterfaceQuad>& interface, double thickness, PaddedMesh& padded)
+  : Mesh(mesh)
+  , Region(region)
+  , Thickness(thickness)
+  , Padded(padded)
+{
+  std::vector<Index> ids(mesh.Points.size(), -1);
+  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  {
+    if (region[h] > 0)
     {
-      const double size = MeanEdgeLength(mesh, quad.Inside);
-      for (int k = 0; k < 4; ++k)
+      Hex hex;
+      for (int k = 0; k < 8; ++k)
       {
-        const Index v = quad.Vertices[k];
-        const Vec3& p = mesh.Points[v];
-        const Vec3 normal = (mesh.Points[quad.Vertices[(k + 1) & 3]] - p)
-                              .cross(mesh.Points[quad.Vertices[(k + 3) & 3]] - p);
-        this->Normals[v] += normal.stableNormalized();
-        this->Sizes[v] += size;
-        ++this->Counts[v];
+        const Index v = mesh.Hexes[h][k];
+        ids[v] = ids[v] < 0 ? this->AddPoint(v, mesh.Points[v]) : ids[v];
+        hex[k] = ids[v];
+      }
+      this->AddHex(hex, static_cast<Index>(h), false);
+    }
+  }
+  for (const InterfaceQuad& quad : interface)
+  {
+    Facet facet;
+    facet.Source = quad.Inside;
+    for (int k = 0; k < 4; ++k)
+    {
+      facet.Vertices[k] = ids[quad.Vertices[k]];
+    }
+    this->Facets.push_back(facet);
+  }
+}
+
+void LayerBuilder::UseFeatures(HexFeatures& features, const FeatureGeometry* geometry)
+{
+  const std::vector<int> groupOfPatch = geometry ? GroupPatches(*geometry) : std::vector<int>();
+  for (int group : groupOfPatch)
+  {
+    this->Groups = std::max(this->Groups, group + 1);
+  }
+  std::vector<Index> ids(this->Mesh.Points.size(), -1);
+  for (std::size_t v = 0; v < this->Padded.SourcePoint.size(); ++v)
+  {
+    ids[this->Padded.SourcePoint[v]] = static_cast<Index>(v);
+  }
+  RenumberFeatures(ids, features);
+  std::map<std::array<Index, 2>, int> groupOnLeft; // of each directed edge
+  for (std::size_t q = 0; q < this->Facets.size(); ++q)
+  {
+    Facet& facet = this->Facets[q];
+    facet.Patch = features.PatchOfQuad[q];
+    facet.Group = facet.Patch < 0 || groupOfPatch.empty() ? 0 : groupOfPatch[facet.Patch];
+    for (int k = 0; k < 4; ++k)
+    {
+      groupOnLeft[{ facet.Vertices[k], facet.Vertices[(k + 1) & 3] }] = facet.Group;
+    }
+  }
+  for (const std::vector<Index>& path : features.CurvePaths)
+  {
+    this->GroupsOfCurve.push_back({ -1, -1 });
+    if (path.size() > 1)
+    {
+      this->GroupsOfCurve.back() = { groupOnLeft.at({ path[0], path[1] }),
+        groupOnLeft.at({ path[1], path[0] }) };
+    }
+  }
+  this->Features = &features;
+  this->Geometry = geometry;
+}
+
+/// On a crease the stairs of the interface say little: there a copy goes away from the patches of its layer
+/// themselves, so that it doesn't fold the strip that it makes beyond the crease.
+void LayerBuilder::UsePatchNormals(int group, std::vector<Vec3>& normals) const
+{
+  std::set<std::pair<Index, int>> patches; // (point, patch)
+  std::set<Index> onCrease;
+  for (const Facet& facet : this->Facets)
+  {
+    for (Index v : facet.Vertices)
+    {
+      if (facet.Group != group)
+      {
+        onCrease.insert(v);
+      }
+      else
+      {
+        patches.insert({ v, facet.Patch });
       }
     }
   }
-
-  bool OnInterface(Index v) const { return this->Counts[v] > 0; }
-
-  Vec3 operator()(Index v, double thickness) const
+  Index last = -1;
+  for (const auto& [v, patch] : patches)
   {
-    return -thickness * this->Sizes[v] / this->Counts[v] * this->Normals[v].stableNormalized();
+    if (patch >= 0 && onCrease.count(v) > 0)
+    {
+      const SurfaceGeometry& surface = this->Geometry->Patch(patch);
+      const Vec3 normal = surface.NormalAt(surface.Search().Closest(this->Padded.Mesh.Points[v]));
+      normals[v] = v == last ? Vec3(normals[v] + normal) : normal;
+      last = v;
+    }
   }
+}
 
-private:
-  std::vector<Vec3> Normals;
-  std::vector<double> Sizes;
-  std::vector<int> Counts;
-};
+/// Inner copies of all points of the group; -1: not on it.
+std::vector<Index> LayerBuilder::CopyPoints(int group)
+{
+  const std::size_t count = this->Padded.Mesh.Points.size();
+  std::vector<Vec3> normals(count, Vec3::Zero());
+  std::vector<double> sizes(count, 0.0);
+  std::vector<int> quads(count, 0);
+  for (const Facet& facet : this->Facets)
+  {
+    if (facet.Group != group)
+    {
+      continue;
+    }
+    const double size = MeanEdgeLength(this->Mesh, facet.Source);
+    const std::vector<Vec3>& points = this->Padded.Mesh.Points;
+    for (int k = 0; k < 4; ++k)
+    {
+      const Index v = facet.Vertices[k];
+      const Vec3 normal = (points[facet.Vertices[(k + 1) & 3]] - points[v])
+                            .cross(points[facet.Vertices[(k + 3) & 3]] - points[v]);
+      normals[v] += normal.stableNormalized();
+      sizes[v] += size;
+      ++quads[v];
+    }
+  }
+  if (this->Groups > 1)
+  {
+    this->UsePatchNormals(group, normals);
+  }
+  std::vector<Index> copies(count, -1);
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    if (quads[v] > 0)
+    {
+      copies[v] = this->AddPoint(this->Padded.SourcePoint[v],
+        this->Padded.Mesh.Points[v] -
+          this->Thickness * sizes[v] / quads[v] * normals[v].stableNormalized());
+    }
+  }
+  return copies;
+}
+
+void LayerBuilder::AddLayer(int group)
+{
+  const std::vector<Index> copies = this->CopyPoints(group);
+  for (Hex& hex : this->Padded.Mesh.Hexes)
+  {
+    for (Index& v : hex)
+    {
+      v = copies[v] < 0 ? v : copies[v];
+    }
+  }
+  for (const Facet& facet : this->Facets)
+  {
+    if (facet.Group == group)
+    {
+      Hex hex;
+      for (int k = 0; k < 4; ++k)
+      {
+        hex[k] = copies[facet.Vertices[k]];
+        hex[4 + k] = facet.Vertices[k];
+      }
+      this->AddHex(hex, facet.Source, true);
+    }
+  }
+  this->CloseBorders(group, copies);
+  this->ExtendPaths(group, copies);
+}
+
+/// The quads beside the group move to the copies, and the side of the layer fills the gap.
+void LayerBuilder::CloseBorders(int group, const std::vector<Index>& copies)
+{
+  std::set<std::array<Index, 2>> ofGroup; // directed edges
+  for (const Facet& facet : this->Facets)
+  {
+    for (int k = 0; k < 4 && facet.Group == group; ++k)
+    {
+      ofGroup.insert({ facet.Vertices[k], facet.Vertices[(k + 1) & 3] });
+    }
+  }
+  const std::size_t count = this->Facets.size();
+  for (std::size_t q = 0; q < count; ++q)
+  {
+    if (this->Facets[q].Group == group)
+    {
+      continue;
+    }
+    const Quad vertices = this->Facets[q].Vertices;
+    for (int k = 0; k < 4; ++k)
+    {
+      const Index a = vertices[k];
+      const Index b = vertices[(k + 1) & 3];
+      if (ofGroup.count({ b, a }) > 0)
+      {
+        Facet side = this->Facets[q];
+        side.Vertices = { a, b, copies[b], copies[a] };
+        this->Facets.push_back(side);
+      }
+      this->Facets[q].Vertices[k] = copies[a] < 0 ? a : copies[a];
+    }
+  }
+}
+
+/// A curve between other groups that ends at this one: its corner stays, the layer adds an edge.
+void LayerBuilder::ExtendPaths(int group, const std::vector<Index>& copies)
+{
+  for (std::size_t c = 0; c < this->GroupsOfCurve.size(); ++c)
+  {
+    std::vector<Index>& path = this->Features->CurvePaths[c];
+    if (path.size() < 2 || this->GroupsOfCurve[c][0] == group || this->GroupsOfCurve[c][1] == group)
+    {
+      continue;
+    }
+    if (const Index copy = copies[path.front()]; copy >= 0)
+    {
+      path.insert(path.begin() + 1, copy);
+    }
+    if (const Index copy = copies[path.back()]; copy >= 0)
+    {
+      path.insert(path.end() - 1, copy);
+    }
+  }
+}
+
+void LayerBuilder::Finish()
+{
+  this->Padded.OnBoundary.assign(this->Padded.Mesh.Points.size(), 0);
+  for (const Facet& facet : this->Facets)
+  {
+    for (Index v : facet.Vertices)
+    {
+      this->Padded.OnBoundary[v] = 1;
+    }
+  }
+  const std::vector<Index> rank = OrderInSpace(this->Padded);
+  if (this->Features)
+  {
+    QuadPatches patches;
+    for (Facet& facet : this->Facets)
+    {
+      for (Index& v : facet.Vertices)
+      {
+        v = rank[v];
+      }
+      patches.Add(facet.Vertices, facet.Patch);
+    }
+    this->Features->PatchOfQuad = patches.Of(HexStars(this->Padded.Mesh).Quads);
+    RenumberFeatures(rank, *this->Features);
+  }
+}
 }
 
 std::vector<Index> OrderInSpace(PaddedMesh& padded)
@@ -142,7 +470,6 @@ std::vector<Index> OrderInSpace(PaddedMesh& padded)
     sorted.Region.push_back(padded.Region[h]);
     sorted.IsLayer.push_back(padded.IsLayer[h]);
     sorted.SourceHex.push_back(padded.SourceHex[h]);
-    sorted.SourceQuad.push_back(padded.SourceQuad[h]);
   }
   padded = std::move(sorted);
   return rank;
@@ -179,7 +506,8 @@ std::vector<Index> MortonRank(const std::vector<Vec3>& points)
 }
 
 Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
-  const PaddingOptions& options, PaddedMesh& padded)
+  const PaddingOptions& options, PaddedMesh& padded, HexFeatures* features,
+  const FeatureGeometry* geometry)
 {
   padded = PaddedMesh();
   if (!(options.Thickness > 0) || !(options.Thickness < 1))
@@ -210,57 +538,21 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   {
     return status;
   }
-  const InwardOffset offset(mesh, quads);
-
-  std::vector<Index> inner(mesh.Points.size(), -1);
-  std::vector<Index> outer(mesh.Points.size(), -1);
-  const auto add = [&](std::vector<Index>& ids, Index v, const Vec3& position, bool boundary) {
-    if (ids[v] < 0)
-    {
-      ids[v] = static_cast<Index>(padded.Mesh.Points.size());
-      padded.Mesh.Points.push_back(position);
-      padded.SourcePoint.push_back(v);
-      padded.OnBoundary.push_back(boundary);
-    }
-    return ids[v];
-  };
-  const auto innerPoint = [&](Index v) {
-    const Vec3& p = mesh.Points[v];
-    return add(
-      inner, v, offset.OnInterface(v) ? Vec3(p + offset(v, options.Thickness)) : p, false);
-  };
-  const auto addHex = [&](const Hex& hex, Index source, Index quad) {
-    padded.Mesh.Hexes.push_back(hex);
-    padded.Region.push_back(region[source]);
-    padded.IsLayer.push_back(quad >= 0);
-    padded.SourceHex.push_back(source);
-    padded.SourceQuad.push_back(quad);
-  };
-  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  if (Status status = features ? CheckFeatures(*features, quads, geometry) : Status();
+      !status.Ok())
   {
-    if (region[h] > 0)
-    {
-      Hex hex;
-      for (int k = 0; k < 8; ++k)
-      {
-        hex[k] = innerPoint(mesh.Hexes[h][k]);
-      }
-      addHex(hex, static_cast<Index>(h), -1);
-    }
+    return status;
   }
-  for (std::size_t q = 0; q < quads.size(); ++q)
+  LayerBuilder builder(mesh, region, quads, options.Thickness, padded);
+  if (features)
   {
-    const InterfaceQuad& quad = quads[q];
-    Hex hex;
-    for (int k = 0; k < 4; ++k)
-    {
-      const Index v = quad.Vertices[k];
-      hex[k] = innerPoint(v);
-      hex[4 + k] = add(outer, v, mesh.Points[v], true);
-    }
-    addHex(hex, quad.Inside, static_cast<Index>(q));
+    builder.UseFeatures(*features, geometry);
   }
-  OrderInSpace(padded);
+  for (int group = 0; group < builder.NumberOfGroups(); ++group)
+  {
+    builder.AddLayer(group);
+  }
+  builder.Finish();
   return Status();
 }
 }

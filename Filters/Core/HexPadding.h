@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Global padding: one layer of hexes under the whole boundary of the bodies.
+/// Global padding: layers of hexes under the whole boundary of the bodies.
 
 #ifndef featurehex_HexPadding_h
 #define featurehex_HexPadding_h
 
-#include "Types.h"
+#include "FeatureGeometry.h"
+#include "HexFeatures.h"
 #include "Status.h"
 
 namespace featurehex
@@ -17,7 +18,7 @@ struct PaddingOptions
   double Thickness = 0.1;
 };
 
-/// The bodies with their layer. Every boundary hex has exactly one quad on the boundary.
+/// The bodies with their layers. A boundary hex has one quad on the boundary, or one of each layer that crosses it.
 /// Connectivity is valid; some hexes may be inverted.
 struct PaddedMesh
 {
@@ -27,17 +28,24 @@ struct PaddedMesh
   std::vector<char> IsLayer;       ///< per hex
   std::vector<Index> LayerHexes;   ///< ids of the layer hexes, ascending
   std::vector<Index> SourceHex;    ///< per hex that of the unpadded mesh (layer: the one it covers)
-  std::vector<Index> SourceQuad;   ///< per layer hex the interface quad it belongs to; -1: none
-  std::vector<Index> SourcePoint;  ///< per point the point of the unpadded mesh (two share one)
+  std::vector<Index> SourcePoint;  ///< per point the point of the unpadded mesh (several share one)
   std::vector<char> OnBoundary;    ///< per point
 };
 
 /// Keep the hexes with @a region > 0, give them a layer inwards. Interface points stay where they
 /// are and become the boundary; their inner copies move along the mean unit normal of the
-/// interface. Fails with InvalidOption; InvalidMesh, also when the interface is not a manifold
+/// interface.
+///
+/// @a features: those of the interface, PatchOfQuad in the order of InterfaceQuads(); replaced by those of the padded
+/// mesh. With @a geometry each group of patches (PaddingGroups.h) gets its own layer, in ascending
+/// order. Layers cross where groups meet: the copy of a point on such a crease lies on the patch or the curve beyond
+/// it.
+///
+/// Fails with InvalidOption; InvalidMesh, also when the interface is not a manifold
 /// (ComputeHexDomain makes manifolds).
 Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
-  const PaddingOptions& options, PaddedMesh& padded);
+  const PaddingOptions& options, PaddedMesh& padded, HexFeatures* features = nullptr,
+  const FeatureGeometry* geometry = nullptr);
 
 /// Renumbers points along a Morton curve and hexes by their lowest point. Returns the new id of each point.
 std::vector<Index> OrderInSpace(PaddedMesh& padded);

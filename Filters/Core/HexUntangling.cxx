@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexUntangling.h"
 
+#include "BoundarySpreading.h"
 #include "HexOptimizer.h"
 #include "HexStitching.h"
 #include "SurfaceTerms.h"
@@ -23,54 +24,122 @@ std::vector<Index> InvertedHexes(const HexMesh& mesh)
   return inverted;
 }
 
-Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry* surface,
-  const UntangleOptions& options, UntangleReport& report, Monitor& monitor)
+namespace
 {
-  HexOptimizer optimizer(mesh, stars);
-  report = UntangleReport();
-  const auto countInverted = [&mesh] { return static_cast<Index>(InvertedHexes(mesh).size()); };
-  report.InvertedBefore = report.InvertedAfter = countInverted();
-  if (surface)
+constexpr int MaximumUnfoldings = 3;
+
+/// Sweeps until no hex is inverted.
+class Untangler
+{
+public:
+  Untangler(HexMesh& mesh, const HexStars& stars, const UntangleOptions& options,
+    UntangleReport& report, Monitor& monitor)
+    : Mesh(mesh)
+    , Stars(stars)
+    , Options(options)
+    , Report(report)
+    , Progress(monitor)
+    , Optimizer(mesh, stars)
   {
-    SurfaceTerms(mesh, stars, *surface, options.Features)
-      .UpdatePlanes(optimizer, options.SurfaceWeight, options.SurfaceWeight);
   }
-  else
+
+  Status Run(const SurfaceGeometry* surface);
+
+private:
+  void CountInverted()
   {
-    for (std::size_t v = 0; v < mesh.Points.size(); ++v)
-    {
-      optimizer.Fixed[v] = stars.OnBoundary(static_cast<Index>(v));
-    }
+    this->Report.InvertedAfter = static_cast<Index>(InvertedHexes(this->Mesh).size());
   }
-  for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+  Status Sweep();
+
+  HexMesh& Mesh;
+  const HexStars& Stars;
+  const UntangleOptions& Options;
+  UntangleReport& Report;
+  Monitor& Progress;
+  HexOptimizer Optimizer;
+};
+
+Status Untangler::Sweep()
+{
+  if (this->Options.Method == UntangleMethod::Stitching)
   {
-    report.Hopeless += optimizer.Hopeless(static_cast<Index>(h)) ? 1 : 0;
-  }
-  if (options.Method == UntangleMethod::Stitching)
-  {
-    const Status status =
-      StitchHexes(mesh, stars, optimizer, options.MaximumSweeps, report.Sweeps, monitor);
-    report.InvertedAfter = countInverted();
+    int sweeps = 0;
+    const Status status = StitchHexes(this->Mesh, this->Stars, this->Optimizer,
+      this->Options.MaximumSweeps, sweeps, this->Progress);
+    this->Report.Sweeps += sweeps;
+    this->CountInverted();
     return status;
   }
-  while (report.InvertedAfter > report.Hopeless && report.Sweeps < options.MaximumSweeps)
+  for (int sweep = 0; this->Report.InvertedAfter > this->Report.Hopeless &&
+       sweep < this->Options.MaximumSweeps; ++sweep)
   {
-    if (!monitor.Update(static_cast<double>(report.Sweeps) / options.MaximumSweeps))
+    if (!this->Progress.Update(static_cast<double>(sweep) / this->Options.MaximumSweeps))
     {
-      return monitor.StopStatus();
+      return this->Progress.StopStatus();
     }
     // Regularisation of recipe-pipeline 2.6: follows the worst determinant, wide in the first sweeps.
-    const double worst = std::min(optimizer.LeastDeterminant(), 0.0);
+    const double worst = std::min(this->Optimizer.LeastDeterminant(), 0.0);
     double delta = std::sqrt(1e-6 + 0.04 * worst * worst);
-    if (report.Sweeps < 15)
+    if (sweep < 15)
     {
       delta = std::max(delta, 0.05);
     }
-    optimizer.ActivateAll();
-    optimizer.Sweep(delta, &monitor);
-    ++report.Sweeps;
-    report.InvertedAfter = countInverted();
+    this->Optimizer.ActivateAll();
+    this->Optimizer.Sweep(delta, &this->Progress);
+    ++this->Report.Sweeps;
+    this->CountInverted();
   }
-  return monitor.StopStatus();
+  return this->Progress.StopStatus();
+}
+
+Status Untangler::Run(const SurfaceGeometry* surface)
+{
+  const FeatureTargets* features = surface ? this->Options.Features : nullptr;
+  if (features)
+  {
+    SpreadAtFeatures(this->Mesh, this->Stars, *features);
+  }
+  this->CountInverted();
+  this->Report.InvertedBefore = this->Report.InvertedAfter;
+  for (std::size_t v = 0; v < this->Mesh.Points.size(); ++v)
+  {
+    this->Optimizer.Fixed[v] = !surface && this->Stars.OnBoundary(static_cast<Index>(v));
+  }
+  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+  {
+    this->Report.Hopeless += this->Optimizer.Hopeless(static_cast<Index>(h)) ? 1 : 0;
+  }
+  for (int attempt = 0;; ++attempt)
+  {
+    if (surface)
+    {
+      SurfaceTerms(this->Mesh, this->Stars, *surface, features)
+        .UpdatePlanes(this->Optimizer, this->Options.SurfaceWeight, this->Options.SurfaceWeight);
+    }
+    if (const Status status = this->Sweep(); !status.Ok())
+    {
+      return status;
+    }
+    if (!features || attempt == MaximumUnfoldings)
+    {
+      break;
+    }
+    this->Report.Folded = UnfoldBoundary(this->Mesh, this->Stars, *features);
+    if (this->Report.Folded == 0)
+    {
+      break;
+    }
+    this->CountInverted();
+  }
+  return Status();
+}
+}
+
+Status UntangleHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry* surface,
+  const UntangleOptions& options, UntangleReport& report, Monitor& monitor)
+{
+  report = UntangleReport();
+  return Untangler(mesh, stars, options, report, monitor).Run(surface);
 }
 }

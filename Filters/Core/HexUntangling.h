@@ -24,7 +24,8 @@ struct UntangleOptions
   int MaximumSweeps = 60;
   /// Of the terms that hold the boundary near the surface; without a surface the boundary is fixed.
   double SurfaceWeight = 1.0;
-  /// With a surface: where boundary vertices belong; may be null.
+  /// With a surface: where boundary vertices belong; may be null. Those at features are put there first
+  /// (BoundarySpreading.h).
   const FeatureTargets* Features = nullptr;
 };
 
@@ -33,6 +34,7 @@ struct UntangleReport
   Index InvertedBefore = 0;
   Index InvertedAfter = 0;
   Index Hopeless = 0; ///< inverted at a corner whose four vertices are fixed: no move of the others helps
+  Index Folded = 0;   ///< boundary quads that had to be unfolded in the last attempt
   int Sweeps = 0;
 };
 

@@ -35,29 +35,36 @@ std::vector<Quad> InterfaceOf(const HexMesh& mesh, const std::vector<int>& regio
   }
   return quads;
 }
-/// What features add to the padding.
+
+/// The padding of a mesh that may have features.
 struct FeaturePadding
 {
+  PaddingOptions Options;
   bool Local = true;
   HexFeatures Features; ///< of the padded mesh; empty without
   LocalPaddingReport Report;
   std::string Warning;
 
-  Status Run(vtkInformationVector** inputs, const std::vector<Quad>& interface,
+  Status Run(vtkInformationVector** inputs, const HexMesh& mesh, const std::vector<int>& region,
     PaddedMesh& padded, Monitor& monitor);
 };
 
-Status FeaturePadding::Run(vtkInformationVector** inputs, const std::vector<Quad>& interface,
-  PaddedMesh& padded, Monitor& monitor)
+Status FeaturePadding::Run(vtkInformationVector** inputs, const HexMesh& mesh,
+  const std::vector<int>& region, PaddedMesh& padded, Monitor& monitor)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
   vtkPolyData* surfaceData = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* graph = vtkPolyData::GetData(inputs[2]);
+  if (!graph && !HasHexFeatures(input))
+  {
+    return PadInterface(mesh, region, this->Options, padded);
+  }
   if (graph && !surfaceData)
   {
     return Status(StatusCode::InvalidOption,
       "A feature graph (input 2) is of use only together with its surface (input 1).");
   }
+  const std::vector<Quad> interface = InterfaceOf(mesh, region);
   Status status;
   SurfaceMesh surface;
   StageFeatures features;
@@ -75,18 +82,20 @@ Status FeaturePadding::Run(vtkInformationVector** inputs, const std::vector<Quad
   {
     status = features.ReadMapped(input, interface, this->Warning);
   }
-  HexFeatures ofInterface = features.Mapped();
-  if (status.Ok() && ofInterface.Empty() && HasHexFeatures(input))
+  this->Features = features.Mapped();
+  if (status.Ok() && this->Features.Empty() && HasHexFeatures(input))
   {
-    status = HexFeaturesFromGrid(input, interface, ofInterface);
+    status = HexFeaturesFromGrid(input, interface, this->Features);
   }
-  if (!status.Ok() || ofInterface.Empty())
+  if (!status.Ok())
   {
     return status;
   }
   monitor.BeginPhase("padding at features", 0.8, 0.9);
-  this->Features = FeaturesOfPaddedMesh(ofInterface, padded, HexStars(padded.Mesh));
-  if (!features.Mapped().Empty())
+  const bool mapped = !features.Mapped().Empty();
+  status = PadInterface(mesh, region, this->Options, padded,
+    this->Features.Empty() ? nullptr : &this->Features, mapped ? &features.Geometry() : nullptr);
+  if (status.Ok() && mapped)
   {
     this->Report =
       PadDegenerateQuads(padded, this->Features, features.Geometry(), LocalPaddingOptions());
@@ -141,16 +150,11 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   {
     return status;
   }
-  PaddingOptions options;
-  options.Thickness = this->Thickness;
   PaddedMesh padded;
-  status = PadInterface(mesh, region, options, padded);
   FeaturePadding features;
+  features.Options.Thickness = this->Thickness;
   features.Local = this->LocalPadding;
-  if (status.Ok() && (HasHexFeatures(input) || vtkPolyData::GetData(inputs[2])))
-  {
-    status = features.Run(inputs, InterfaceOf(mesh, region), padded, monitor);
-  }
+  status = features.Run(inputs, mesh, region, padded, monitor);
   if (status.Ok())
   {
     const std::size_t hexes = padded.Mesh.Hexes.size();

@@ -3,13 +3,14 @@
  * @class vtkHexPaddingFilter
  * @brief Keeps the hexes of the bodies and puts one layer of hexes under their whole boundary.
  *
- * After it, every boundary hex has exactly one quad on the boundary, so that it can be fitted
- * without flattening a corner. Interface vertices stay where they are and become the boundary;
+ * After it, every boundary hex has exactly one quad on the boundary (at a convex crease one of each
+ * side), so that it can be fitted without flattening a corner. Interface vertices stay where they are and become the boundary;
  * their inner copies move into the body.
  *
- * With features of vtkHexFeatureMappingFilter a quad may have two consecutive edges on one curve,
- * where its corner would get a straight angle. Local padding surrounds such quads with a ring of
- * hexes, and puts a second layer below them.
+ * With features of vtkHexFeatureMappingFilter each group of patches gets its own layer; layers
+ * cross at convex creases, so that one hex instead of two has the angle of the crease. Where a quad
+ * still has two consecutive edges on one curve, its corner would get a straight angle: local
+ * padding surrounds such quads with a ring of hexes, and puts a second layer below them.
  *
  * <b>Input 0:</b> vtkUnstructuredGrid, hex mesh of vtkHexDomainFilter or
  * vtkHexFeatureMappingFilter. Cells: Region (0 outside, 1 and up: body), with a manifold interface.
@@ -69,8 +70,9 @@ public:
 
   ///@{
   /**
-   * More hexes where a feature would give the corner of a quad a straight angle. Needs inputs 1 and
-   * 2. Default: on.
+   * Layers follow the features: they cross at convex creases, which get one hex instead of two, and
+   * there are more hexes where a feature would give the corner of a quad a straight angle. Needs
+   * inputs 1 and 2. Default: on.
    */
   vtkSetMacro(LocalPadding, bool);
   vtkGetMacro(LocalPadding, bool);

@@ -64,7 +64,8 @@ void AddFeatureFigures(
       { "NumberOfPatches", features.NumberOfPatches }, { "InvalidCorners", invalid },
       { "ContinuedEdges", report.Detection.NumberOfContinuedEdges },
       { "ClosedGaps", report.Detection.NumberOfGaps },
-      { "DroppedSpurs", report.Detection.NumberOfSpurs } });
+      { "DroppedSpurs", report.Detection.NumberOfSpurs },
+      { "RedundantCurves", static_cast<double>(report.RedundantCurves.size()) } });
   row.Texts.push_back({ "FeatureRepairs", Joined(report.Notes) });
 }
 } // namespace

@@ -33,7 +33,7 @@
  * NumberOfComponents, NumberOfCavities, Genus (sum), Volume (of the material), Diagonal (of the
  * bounding box), MergedPoints, UnusedPoints, CollapsedTriangles, DuplicateTriangles, FlippedEdges,
  * ReorientedTriangles, NumberOfCorners, NumberOfCurves, NumberOfPatches, InvalidCorners,
- * ContinuedEdges, ClosedGaps, DroppedSpurs (double), SurfaceRepairs, FeatureRepairs (string, in
+ * ContinuedEdges, ClosedGaps, DroppedSpurs, RedundantCurves (double), SurfaceRepairs, FeatureRepairs (string, in
  * words).
  *
  * <b>Output 1:</b> vtkPolyData, the feature graph: a vertex cell for each corner, a polyline for

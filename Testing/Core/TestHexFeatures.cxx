@@ -46,3 +46,74 @@ TEST(HexFeatures, CornerWithoutVertexIsLeftOut)
   EXPECT_FALSE(cube.Features.Empty());
   EXPECT_TRUE(HexFeatures().Empty());
 }
+
+TEST(HexFeatures, NewVertexIds)
+{
+  HexFeatures features;
+  features.CornerVertices = { 3, -1, 0 };
+  features.CurvePaths = { { 3, 1, 0 }, {}, { 2, 4, 2 } };
+  features.PatchOfQuad = { 1, 0, 2 };
+  RenumberFeatures({ 10, 11, 0, 13, 2 }, features);
+  EXPECT_EQ(features.CornerVertices, (std::vector<Index>{ 13, -1, 10 }));
+  EXPECT_EQ(
+    features.CurvePaths, (std::vector<std::vector<Index>>{ { 13, 11, 10 }, {}, { 0, 2, 0 } }));
+  EXPECT_EQ(features.PatchOfQuad, (std::vector<int>{ 1, 0, 2 }));
+  HexFeatures none;
+  RenumberFeatures({}, none);
+  EXPECT_TRUE(none.Empty());
+  EXPECT_TRUE(none.CornerVertices.empty());
+}
+
+TEST(HexFeatures, RenumberedMeshHasTheSameFeatures)
+{
+  FeatureShape cube = CubeWithFeatures(3);
+  const HexStars before(cube.Mesh);
+  QuadPatches patches;
+  std::vector<Index> ids;
+  const Index count = static_cast<Index>(cube.Mesh.Points.size());
+  for (Index v = 0; v < count; ++v)
+  {
+    ids.push_back((5 * v + 2) % count); // 64 points: one to one
+  }
+  HexMesh mesh = cube.Mesh;
+  for (Index v = 0; v < count; ++v)
+  {
+    mesh.Points[ids[v]] = cube.Mesh.Points[v];
+  }
+  for (Hex& hex : mesh.Hexes)
+  {
+    for (Index& v : hex)
+    {
+      v = ids[v];
+    }
+  }
+  std::reverse(mesh.Hexes.begin(), mesh.Hexes.end());
+  for (std::size_t q = 0; q < before.Quads.size(); ++q)
+  {
+    Quad quad = before.Quads[q];
+    for (Index& v : quad)
+    {
+      v = ids[v];
+    }
+    patches.Add(quad, cube.Features.PatchOfQuad[q]);
+  }
+  RenumberFeatures(ids, cube.Features);
+  const HexBoundary boundary = ExtractBoundary(mesh);
+  cube.Features.PatchOfQuad = patches.Of(boundary.Quads);
+  const FeatureValidationReport report =
+    ValidateFeatures(mesh, boundary, cube.Surface, { &cube.Graph, &cube.Features }, 1e-9);
+  EXPECT_TRUE(report.AllCaptured()) << report.Complaint();
+}
+
+TEST(HexFeatures, QuadsAreKnownByTheirVertices)
+{
+  QuadPatches patches;
+  EXPECT_EQ(patches.Of({ { 0, 1, 2, 3 } }), std::vector<int>{ -1 });
+  patches.Add({ 0, 1, 2, 3 }, 4);
+  patches.Add({ 3, 2, 5, 6 }, 0);
+  EXPECT_EQ(patches.Of({ { 5, 6, 3, 2 }, { 2, 3, 0, 1 }, { 3, 2, 1, 0 }, { 0, 1, 2, 5 } }),
+    (std::vector<int>{ 0, 4, 4, -1 }));
+  patches.Add({ 1, 0, 3, 2 }, 7); // the last one counts
+  EXPECT_EQ(patches.Of({ { 0, 1, 2, 3 } }), std::vector<int>{ 7 });
+  EXPECT_TRUE(patches.Of({}).empty());
+}
