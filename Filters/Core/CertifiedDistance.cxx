@@ -237,12 +237,10 @@ DistancePiece RootPiece(const Elements& elements, std::size_t e)
   return piece;
 }
 
-/// Bounds of the elements @a ids, which share what is left of the budget.
+/// Bounds of the elements @a ids.
 bool BoundSome(const DistanceTarget& target, Elements& elements, const std::vector<std::size_t>& ids,
-  DistanceGoal goal, std::int64_t budget, Monitor& monitor)
+  const DistanceGoal& goal, Monitor& monitor)
 {
-  const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, ids.size()));
-  goal.Budget = std::clamp<std::int64_t>(budget / count, 1000, 1000000);
   return ParallelBlocks(
     ids.size(), 16, 0.0, 1.0, monitor, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -258,18 +256,25 @@ bool BoundSome(const DistanceTarget& target, Elements& elements, const std::vect
     });
 }
 
-/// Most elements need few pieces. Those that need more, where a large triangle lies on a fine part of the mesh, start again
-/// with what the others left.
+std::int64_t BudgetOf(std::int64_t pieces, std::size_t elements)
+{
+  const auto count = static_cast<std::int64_t>(std::max<std::size_t>(1, elements));
+  return std::clamp<std::int64_t>(pieces / count, 1000, 1000000);
+}
+
+/// Most elements need few pieces. When a value is wanted, those that need more, where a large triangle lies on a fine
+/// part of the mesh, start again with what the others left.
 bool BoundAll(
-  const DistanceTarget& target, Elements& elements, const DistanceGoal& goal, Monitor& monitor)
+  const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
 {
   std::vector<std::size_t> ids(elements.Size());
   std::iota(ids.begin(), ids.end(), std::size_t(0));
   elements.Exhausted.assign(elements.Size(), 0);
-  SubMonitor first(monitor, 0.4, 0.8);
-  if (!BoundSome(target, elements, ids, goal, TotalBudget, first))
+  goal.Budget = BudgetOf(TotalBudget, ids.size());
+  SubMonitor first(monitor, 0.4, goal.Decide ? 1.0 : 0.8);
+  if (!BoundSome(target, elements, ids, goal, first) || goal.Decide)
   {
-    return false;
+    return !first.Stopped();
   }
   std::int64_t used = 0;
   ids.clear();
@@ -281,8 +286,14 @@ bool BoundAll(
       ids.push_back(e);
     }
   }
+  const std::int64_t more = BudgetOf(TotalBudget - used, ids.size());
+  if (more <= goal.Budget)
+  {
+    return true;
+  }
+  goal.Budget = more;
   SubMonitor second(monitor, 0.8, 1.0);
-  return ids.empty() || BoundSome(target, elements, ids, goal, TotalBudget - used, second);
+  return BoundSome(target, elements, ids, goal, second);
 }
 
 /// Decides for every element whether it is within goal.Accept.
@@ -403,20 +414,31 @@ struct QuadTarget
   DistanceTarget Target;
 };
 
-double Twist(const Elements& quads, std::size_t q)
+/// Into how many cells a patch is cut; four triangles stand for each.
+struct PatchSplit
 {
-  const std::array<Index, 4>& c = quads.Corner[q];
-  return (quads.Points[c[0]] - quads.Points[c[1]] + quads.Points[c[2]] - quads.Points[c[3]]).norm();
-}
+  std::array<Vec3, 4> Corner;
+  int N = 1, M = 1;
+  double Error = 0.0; ///< of the triangles
 
-/// A patch is an affine map plus u v times its twist. In n x m cells with four triangles around each
-/// cell's middle the error is |twist| / (16 n m).
-void SplitCounts(double twist, double error, int& n, int& m)
-{
-  const double cells = std::max(1.0, twist / (16.0 * error));
-  n = static_cast<int>(std::clamp(std::ceil(std::sqrt(cells)), 1.0, 64.0));
-  m = static_cast<int>(std::clamp(std::ceil(cells / n), 1.0, 64.0));
-}
+  /// A patch is an affine map plus u v times its twist: the error is |twist| / (16 N M).
+  PatchSplit(const Elements& quads, std::size_t q, double error)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      this->Corner[k] = quads.Points[quads.Corner[q][k]];
+    }
+    this->Error = TriangleError(this->Corner.data(), 1.0 / 16.0);
+    if (this->Error > error)
+    {
+      const Vec3 twist = this->Corner[0] - this->Corner[1] + this->Corner[2] - this->Corner[3];
+      const double cells = twist.norm() / (16.0 * error);
+      this->N = static_cast<int>(std::clamp(std::ceil(std::sqrt(cells)), 1.0, 64.0));
+      this->M = static_cast<int>(std::clamp(std::ceil(cells / this->N), 1.0, 64.0));
+      this->Error = std::min(this->Error, twist.norm() / (16.0 * this->N * this->M));
+    }
+  }
+};
 
 void BuildTarget(const Elements& quads, double error, QuadTarget& result)
 {
@@ -425,9 +447,8 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
     triangles = 0.0;
     for (std::size_t q = 0; q < quads.Size(); ++q)
     {
-      int n = 1, m = 1;
-      SplitCounts(Twist(quads, q), error, n, m);
-      triangles += 4.0 * (n * m - 1);
+      const PatchSplit split(quads, q, error);
+      triangles += 4.0 * (split.N * split.M - 1);
     }
     if (triangles <= MaximumTargetTriangles)
     {
@@ -439,16 +460,11 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
   std::vector<double>& slack = result.Target.Slack;
   for (std::size_t q = 0; q < quads.Size(); ++q)
   {
-    int n = 1, m = 1;
-    const double twist = Twist(quads, q);
-    SplitCounts(twist, error, n, m);
-    const std::array<Index, 4>& corner = quads.Corner[q];
-    Vec3 p[4];
-    for (int k = 0; k < 4; ++k)
-    {
-      p[k] = quads.Points[corner[k]];
-    }
-    const auto base = static_cast<Index>(points.size());
+    const PatchSplit split(quads, q, error);
+    const int n = split.N;
+    const int m = split.M;
+    const Vec3* p = split.Corner.data();
+  const auto base = static_cast<Index>(points.size());
     for (int j = 0; j <= m; ++j)
     {
       for (int i = 0; i <= n; ++i)
@@ -467,7 +483,7 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
         for (int k = 0; k < 4; ++k)
         {
           triangles.push_back({ ring[k], ring[(k + 1) % 4], middle });
-          slack.push_back(twist / (16.0 * n * m));
+          slack.push_back(split.Error);
         }
       }
     }

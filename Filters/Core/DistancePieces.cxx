@@ -16,6 +16,8 @@ constexpr double PrismSize = 3.0;
 /// A cut leaves at least this share of an edge on each side.
 constexpr double LeastShare = 0.05;
 
+constexpr double TwoTriangles = 0.25; // share of the twist of a patch by which they differ from it
+
 /// Greatest distance between two corners, and which.
 double LongestSide(const DistancePiece& p, int& from, int& to)
 {
@@ -233,15 +235,10 @@ void CutPatch(const DistanceTarget& target, const DistancePiece& p, DistancePiec
   }
 }
 
-double Twist(const DistancePiece& p)
-{
-  return (p.Corner[0] - p.Corner[1] + p.Corner[2] - p.Corner[3]).norm();
-}
-
-/// The two triangles of a nearly flat patch; they are within |twist| / 4 of it.
+/// The two triangles of a nearly flat patch.
 void SplitPatch(const DistancePiece& p, DistancePiece& first, DistancePiece& second)
 {
-  first.Slack = second.Slack = p.Slack + 0.25 * Twist(p);
+  first.Slack = second.Slack = p.Slack + TriangleError(p.Corner, TwoTriangles);
   first.Count = second.Count = 3; // corners 0 1 2
   second.Corner[1] = p.Corner[3]; // corners 0 3 2
   second.Near[1] = p.Near[3];
@@ -263,7 +260,7 @@ void Cut(const DistanceTarget& target, const DistancePiece& p, double flat, Dist
   {
     CutTriangle(target, p, prism, first, second);
   }
-  else if (prism && 0.25 * Twist(p) <= flat)
+  else if (prism && TriangleError(p.Corner, TwoTriangles) <= flat)
   {
     SplitPatch(p, first, second);
   }
@@ -364,6 +361,23 @@ private:
   std::vector<DistancePiece> Open; ///< depth first: stays short
   double Retired = 0.0;            ///< greatest bound of the settled pieces
 };
+}
+
+double TriangleError(const Vec3* corners, double share)
+{
+  const Vec3 twist = corners[0] - corners[1] + corners[2] - corners[3];
+  const double parametric = share * twist.norm();
+  const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).stableNormalized();
+  for (int k = 0; k < 4; ++k)
+  {
+    const Vec3& corner = corners[k];
+    const Vec3 turn = (corners[(k + 1) & 3] - corner).cross(corners[(k + 3) & 3] - corner);
+    if (!(turn.dot(normal) > 0.0))
+    {
+      return parametric;
+    }
+  }
+  return std::min(parametric, 0.5 * std::abs(twist.dot(normal)));
 }
 
 void BoundElement(const DistanceTarget& target, const DistancePiece& root, const DistanceGoal& goal,

@@ -84,6 +84,12 @@ struct ElementDistance
   }
 };
 
+/// Bound of the distance, both ways, between a bilinear patch and triangles on its corners: two, or four round its middle.
+/// With the same parameters they differ by at most @a share of its twist (1/4 for two, 1/16 for four). And where the patch seen along
+/// the normal of its diagonals is convex, both are graphs over the same region whose heights lie within |n . twist| / 4 of its middle:
+/// a flat patch may be as skew as it likes.
+double TriangleError(const Vec3* corners, double share);
+
 /// Bounds the distance of the true element of @a root until @a goal is met; @a result holds what
 /// samples found. Deterministic.
 void BoundElement(const DistanceTarget& target, const DistancePiece& root, const DistanceGoal& goal,

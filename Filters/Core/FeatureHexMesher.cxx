@@ -26,7 +26,6 @@ namespace featurehex
 {
 namespace
 {
-constexpr double CellsPerSide = 26;      // default target edge length: longest side / 26 (the paper's)
 constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
@@ -117,6 +116,10 @@ private:
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
   void BeginPhase(const std::string& name, double from, double to);
+  AutomaticSizing Automatic() const
+  {
+    return AutomaticSizingFor(!this->Result.SurfaceGraph.Curves.empty());
+  }
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
 
   const MeshingOptions& Options;
@@ -235,7 +238,7 @@ Status Mesher::Prepare(const SurfaceMesh& input)
   this->Fitting = std::make_unique<ProvenFitting>(*this->Surface, fitting);
   this->EdgeLength = this->Options.TargetEdgeLength > 0
     ? this->Options.TargetEdgeLength
-    : this->Surface->Bounds().Size().maxCoeff() / CellsPerSide;
+    : this->Surface->Bounds().Size().maxCoeff() / this->Automatic().CellsPerSide;
   this->Result.TargetEdgeLength = this->EdgeLength;
 
   this->PrepareSizing();
@@ -273,7 +276,9 @@ void Mesher::PrepareSizing()
   SizingOptions sizing;
   sizing.TargetEdgeLength = this->EdgeLength;
   sizing.Slack = this->AbsoluteTolerance();
-  sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->Options.MaximumLevel);
+  sizing.CellsPerThickness = this->Automatic().CellsPerThickness;
+  sizing.MaximumSizingLevel =
+    std::min(this->Automatic().MaximumSizingLevel, this->Options.MaximumLevel);
   this->Points =
     ComputeSizing(this->Surface->Mesh(), this->Surface->Search(), sizing, this->Progress);
   if (this->Result.SurfaceGraph.Curves.empty())

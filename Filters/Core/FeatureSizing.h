@@ -14,7 +14,7 @@ struct FeatureSizingOptions
 {
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0
   int MaximumLevel = 4;          ///< at most this many halvings for loops
-  int MaximumSizingLevel = 2;    ///< at most this many for curves near each other and short ones
+  int MaximumSizingLevel = 3;    ///< at most this many for curves near each other and short ones
   double CellsBetween = 0.7;     ///< between two curves that don't meet
   double CellsPerCurve = 0.7;    ///< along a curve from corner to corner
   double CellsPerLoop = 6.0;     ///< along a loop without corner

@@ -60,6 +60,21 @@ public:
     return near;
   }
 
+  /// The same for all points from @a a to @a b. Ends often are: samples start from the middle.
+  bool NearAlong(const Vec3& a, const Vec3& b, Index except) const
+  {
+    const int pieces = std::clamp(
+      static_cast<int>(std::ceil((b - a).norm() / (SampleSpacing * this->Distance))), 1, MaximumSamples);
+    for (int k = 0; k < pieces; ++k)
+    {
+      if (!this->Near(a + (k + 0.5) / pieces * (b - a), except))
+      {
+        return false;
+      }
+    }
+    return this->Near(a, except) && this->Near(b, except);
+  }
+
   bool Covered(const FeatureCurve& curve, Index id) const;
 
 private:
@@ -84,23 +99,12 @@ private:
   std::vector<char> Counts;
 };
 
-/// All points of the curve are near others. Its ends usually are: samples start from the middle of each edge.
+/// All points of the curve are near others.
 bool CurveSearch::Covered(const FeatureCurve& curve, Index id) const
 {
   for (std::size_t i = 1; i < curve.Points.size(); ++i)
   {
-    const Vec3& a = this->Points[curve.Points[i - 1]];
-    const Vec3& b = this->Points[curve.Points[i]];
-    const int pieces = std::clamp(
-      static_cast<int>(std::ceil((b - a).norm() / (SampleSpacing * this->Distance))), 1, MaximumSamples);
-    for (int k = 0; k < pieces; ++k)
-    {
-      if (!this->Near(a + (k + 0.5) / pieces * (b - a), id))
-      {
-        return false;
-      }
-    }
-    if (!this->Near(a, id) || !this->Near(b, id))
+    if (!this->NearAlong(this->Points[curve.Points[i - 1]], this->Points[curve.Points[i]], id))
     {
       return false;
     }
@@ -139,19 +143,25 @@ std::vector<Index> FindRedundantCurves(
   }
   std::sort(candidates.begin(), candidates.end());
   DisjointSets joined(features.NumberOfPatches);
+  // Points of a large patch may all lie on its curves: its edges and middles count, too.
   const auto sliver = [&](int patch, Index curve) {
     const Index set = joined.Find(patch);
     for (std::size_t t = 0; t < surface.Triangles.size(); ++t)
     {
-      if (joined.Find(features.PatchOfTriangle[t]) == set)
+      if (joined.Find(features.PatchOfTriangle[t]) != set)
       {
-        for (Index v : surface.Triangles[t])
-        {
-          if (!search.Near(surface.Points[v], curve))
-          {
-            return false;
-          }
-        }
+        continue;
+      }
+      Vec3 p[3];
+      for (int k = 0; k < 3; ++k)
+      {
+        p[k] = surface.Points[surface.Triangles[t][k]];
+      }
+      if (!search.Near((p[0] + p[1] + p[2]) / 3.0, curve) ||
+        !search.NearAlong(p[0], p[1], curve) || !search.NearAlong(p[1], p[2], curve) ||
+        !search.NearAlong(p[2], p[0], curve))
+      {
+        return false;
       }
     }
     return true;

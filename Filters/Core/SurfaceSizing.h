@@ -59,6 +59,22 @@ struct ClearanceOptions
 double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
   const ClearanceOptions& options);
 
+/// What is chosen where the user leaves the choice.
+struct AutomaticSizing
+{
+  double CellsPerSide;      ///< target edge length: longest side of the bounding box / this
+  double CellsPerThickness; ///< SizingOptions
+  int MaximumSizingLevel;   ///< SizingOptions
+};
+
+/// Without features the boundary follows the surface everywhere by fine cells (the paper's 26). With features flat patches
+/// need none, and the layers under both sides of a thin wall add hexes across it. Measured on the CAD corpus: half the
+/// hexes and half the time of the other choice, median of the least scaled Jacobian 0.54 instead of 0.49.
+constexpr AutomaticSizing AutomaticSizingFor(bool features)
+{
+  return features ? AutomaticSizing{ 18, 1.0, 3 } : AutomaticSizing{ 26, 2.0, 2 };
+}
+
 struct SizingOptions
 {
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0

@@ -111,7 +111,8 @@ public:
   ///@{
   /**
    * Edge length of the cells at the surface, model units; finer where thickness, gaps or the
-   * tolerance ask for it. 0: the longest side of the bounding box / 26. Default: 0. Range: 0 and
+   * tolerance ask for it. 0: the longest side of the bounding box / 26, with
+   * sharp features / 18. Default: 0. Range: 0 and
    * up.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, 1e100);

@@ -22,7 +22,6 @@ namespace
 {
 using namespace featurehex;
 
-constexpr double CellsPerSide = 26; // automatic target edge length (the paper's)
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -86,10 +85,12 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   }
 
   const SurfaceGeometry surface(std::move(checked));
+  vtkPolyData* graph = vtkPolyData::GetData(inputs[1]);
+  const AutomaticSizing automatic = AutomaticSizingFor(graph && graph->GetNumberOfLines() > 0);
   OctreeOptions options;
   options.TargetEdgeLength = this->TargetEdgeLength > 0
                                ? this->TargetEdgeLength
-                               : surface.Bounds().Size().maxCoeff() / CellsPerSide;
+                               : surface.Bounds().Size().maxCoeff() / automatic.CellsPerSide;
   options.MaximumLevel = this->MaximumLevel;
   options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;
@@ -100,16 +101,19 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
     SizingOptions sizing;
     sizing.TargetEdgeLength = options.TargetEdgeLength;
     sizing.Slack = this->Tolerance * surface.Diagonal();
-    sizing.CellsPerThickness = this->CellsPerThickness;
+    sizing.CellsPerThickness =
+      this->CellsPerThickness > 0 ? this->CellsPerThickness : automatic.CellsPerThickness;
     sizing.CellsPerGap = this->CellsPerGap;
-    sizing.MaximumSizingLevel = std::min(this->MaximumSizingLevel, this->MaximumLevel);
+    sizing.MaximumSizingLevel = std::min(
+      this->MaximumSizingLevel >= 0 ? this->MaximumSizingLevel : automatic.MaximumSizingLevel,
+      this->MaximumLevel);
     points = ComputeSizing(surface.Mesh(), surface.Search(), sizing, monitor);
   }
   if (this->FeatureSizing)
   {
     StageFeatures features;
     status =
-      features.Read(surface.Mesh(), vtkPolyData::GetData(inputs[1]), options.TargetEdgeLength);
+      features.Read(surface.Mesh(), graph, options.TargetEdgeLength);
     if (!status.Ok())
     {
       return status;

@@ -60,7 +60,7 @@ public:
   ///@{
   /**
    * Edge length of the cells at the surface, model units. 0: the longest side of the bounding box /
-   * 26. Default: 0. Range: 0 and up.
+   * 26, with a feature graph / 18. Default: 0. Range: 0 and up.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, 1e100);
   vtkGetMacro(TargetEdgeLength, double);
@@ -105,10 +105,10 @@ public:
 
   ///@{
   /**
-   * Cells across the solid, at least, as far as MaximumSizingLevel allows. Default: 2. Range: 0.1
-   * to 10.
+   * Cells across the solid, at least, as far as MaximumSizingLevel allows. 0: 2, with a feature
+   * graph 1 (layers under both sides of a wall add hexes). Default: 0. Range: 0 to 10.
    */
-  vtkSetClampMacro(CellsPerThickness, double, 0.1, 10.0);
+  vtkSetClampMacro(CellsPerThickness, double, 0.0, 10.0);
   vtkGetMacro(CellsPerThickness, double);
   ///@}
 
@@ -122,10 +122,10 @@ public:
 
   ///@{
   /**
-   * Thickness and gaps get cells at most this many halvings below the target edge length. Default:
-   * 2. Range: 0 to 12.
+   * Thickness and gaps get cells at most this many halvings below the target edge length. -1: 2,
+   * with a feature graph 3. Default: -1. Range: -1 to 12.
    */
-  vtkSetClampMacro(MaximumSizingLevel, int, 0, 12);
+  vtkSetClampMacro(MaximumSizingLevel, int, -1, 12);
   vtkGetMacro(MaximumSizingLevel, int);
   ///@}
 
@@ -177,9 +177,9 @@ private:
   vtkIdType MaximumNumberOfCells = 20000000;
   bool AlignToPrincipalAxes = false;
   bool ThicknessSizing = true;
-  double CellsPerThickness = 2.0;
+  double CellsPerThickness = 0.0;
   double CellsPerGap = 1.0;
-  int MaximumSizingLevel = 2;
+  int MaximumSizingLevel = -1;
   bool FeatureSizing = true;
   double Tolerance = 0.005;
   vtkIdType PredictedNumberOfCells = 0;

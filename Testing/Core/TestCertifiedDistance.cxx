@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "CertifiedDistance.h"
+
+#include "DistancePieces.h"
 #include "MeshTopology.h"
 #include "ValidationShapes.h"
 
@@ -98,6 +100,87 @@ TEST(CertifiedDistance, ConcentricSpheres)
   EXPECT_NEAR(b.SurfaceToMesh.Mean, b.MeshToSurface.Mean, 0.001);
   EXPECT_FALSE(Decide(sphere, ball, 0.0099).Within);
   EXPECT_TRUE(Decide(sphere, ball, 0.011).Within);
+}
+
+/// Quads exactly in the faces of the cube, no parallelograms, 0.02 long at one corner and 3 at the
+/// opposite one. With equal shares of the budget the elements at the fine corner, 0.18 in radius,
+/// stay as they are.
+TEST(CertifiedDistance, ElementsThatNeedMoreGetWhatTheOthersLeave)
+{
+  constexpr int n = 8;
+  HexMesh mesh = CubeMesh(n);
+  std::mt19937 random(7);
+  for (Vec3& p : mesh.Points)
+  {
+    for (double& x : p)
+    {
+      if (x > 0 && x < n)
+      {
+        x += 0.05 * (2.0 * random() / 4294967295.0 - 1.0);
+      }
+      x = 10 * (x / n) * (x / n) * (x / n);
+    }
+  }
+  constexpr double tolerance = 0.3;
+  const DistanceBounds b = Measure(Cube(10), mesh, tolerance);
+  EXPECT_TRUE(b.Converged());
+  EXPECT_LE(b.Lower(), 1e-12 * 10 * std::sqrt(3.0));
+  EXPECT_LE(b.Upper(), 0.01 * tolerance + 1e-9);
+  // Flat quads are the union of their triangles however skew they are.
+  EXPECT_LE(b.SplitError, 1e-12);
+}
+
+TEST(CertifiedDistance, TrianglesOfAPatchAreAsNearAsTheirError)
+{
+  std::mt19937 random(3);
+  const auto jitter = [&random](double size) { return size * (2.0 * random() / 4294967295.0 - 1.0); };
+  int planar = 0;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const double height = trial % 4 == 0 ? 0.0 : jitter(0.3);
+    Vec3 p[4] = { Vec3(0, 0, height), Vec3(1, 0, 0), Vec3(1, 1, jitter(0.05)), Vec3(0, 1, 0) };
+    for (Vec3& corner : p)
+    {
+      corner += Vec3(jitter(0.4), jitter(0.4), 0);
+    }
+    const double error = TriangleError(p, 0.25);
+    const Vec3 twist = p[0] - p[1] + p[2] - p[3];
+    EXPECT_LE(error, 0.25 * twist.norm());
+    planar += error < 0.2 * twist.norm() ? 1 : 0;
+    const TriangleSearch triangles({ p[0], p[1], p[2], p[3] }, { { 0, 1, 2 }, { 0, 2, 3 } });
+    constexpr int n = 12;
+    std::vector<Vec3> points;
+    std::vector<Triangle> fine;
+    for (int j = 0; j <= n; ++j)
+    {
+      for (int i = 0; i <= n; ++i)
+      {
+        const double u = static_cast<double>(i) / n;
+        const double v = static_cast<double>(j) / n;
+        points.push_back((1 - v) * ((1 - u) * p[0] + u * p[1]) + v * ((1 - u) * p[3] + u * p[2]));
+        EXPECT_LE(triangles.Closest(points.back()).Distance, error + 1e-12);
+        if (i > 0 && j > 0)
+        {
+          const Index last = static_cast<Index>(points.size()) - 1;
+          fine.push_back({ last - n - 2, last - n - 1, last });
+          fine.push_back({ last - n - 2, last, last - 1 });
+        }
+      }
+    }
+    // The other way, against a fine triangulation of the patch.
+    const TriangleSearch patch(points, fine);
+    const double fineError = 0.25 * twist.norm() / (n * n);
+    for (int i = 0; i <= n; ++i)
+    {
+      const double u = static_cast<double>(i) / n;
+      for (const Vec3& x : { Vec3((1 - u) * p[0] + u * p[2]), Vec3((p[0] + u * p[1] + (1 - u) * p[2]) / 2),
+             Vec3((p[0] + u * p[3] + (1 - u) * p[2]) / 2) })
+      {
+        EXPECT_LE(patch.Closest(x).Distance, error + fineError + 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(planar, 40);
 }
 
 TEST(CertifiedDistance, OneDirectionOnly)

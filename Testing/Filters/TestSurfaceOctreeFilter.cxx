@@ -115,10 +115,42 @@ TEST(SurfaceOctreeFilter, DefaultsAreThoseOfTheCore)
   vtkNew<vtkSurfaceOctreeFilter> filter;
   const featurehex::SizingOptions sizing;
   const featurehex::OctreeOptions octree;
-  EXPECT_EQ(filter->GetCellsPerThickness(), sizing.CellsPerThickness);
   EXPECT_EQ(filter->GetCellsPerGap(), sizing.CellsPerGap);
-  EXPECT_EQ(filter->GetMaximumSizingLevel(), sizing.MaximumSizingLevel);
   EXPECT_EQ(filter->GetMaximumNumberOfCells(), octree.MaximumNumberOfCells);
+}
+
+TEST(SurfaceOctreeFilter, AutomaticSizingIsThatOfTheCore)
+{
+  vtkNew<vtkSurfaceFeatureFilter> features;
+  vtkSmartPointer<vtkPolyData> surface = DataSurface("rotation/cube_x_10.obj");
+  features->SetInputData(surface);
+  const double* bounds = surface->GetBounds();
+  const double side = std::max(
+    { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  for (bool withGraph : { false, true })
+  {
+    const featurehex::AutomaticSizing automatic = featurehex::AutomaticSizingFor(withGraph);
+    vtkIdType cells[2];
+    for (bool explicitly : { false, true })
+    {
+      vtkNew<vtkSurfaceOctreeFilter> filter;
+      filter->SetInputConnection(0, features->GetOutputPort(0));
+      if (withGraph)
+      {
+        filter->SetInputConnection(1, features->GetOutputPort(1));
+      }
+      if (explicitly)
+      {
+        filter->SetTargetEdgeLength(side / automatic.CellsPerSide);
+        filter->SetCellsPerThickness(automatic.CellsPerThickness);
+        filter->SetMaximumSizingLevel(automatic.MaximumSizingLevel);
+      }
+      filter->Update();
+      cells[explicitly] = filter->GetOutput()->GetNumberOfElements(vtkDataObject::CELL);
+    }
+    EXPECT_GT(cells[0], 0);
+    EXPECT_EQ(cells[0], cells[1]) << withGraph;
+  }
 }
 
 TEST(SurfaceOctreeFilter, GoodCitizen)
