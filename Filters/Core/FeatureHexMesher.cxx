@@ -20,6 +20,7 @@
 #include <iomanip>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 
 namespace featurehex
@@ -34,6 +35,7 @@ constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
 constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
+constexpr double LooseShare = 0.2; // of the wanted minimum: below, curves that bound no patch are given up
 constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
 
 /// Adds the wall time between construction and destruction to a stage.
@@ -76,6 +78,8 @@ std::string Place(const Vec3& p)
   return text.str();
 }
 
+using FeatureName = std::pair<FeatureKind, Index>;
+
 /// The refinement loop: what lasts from round to round.
 class Mesher
 {
@@ -107,7 +111,9 @@ private:
   Outcome RunRound(int round, Status& status);
   Outcome BuildDomain(Status& status);
   Outcome MapFeatures(Status& status);
-  bool GiveUpFeatures();
+  bool GiveUpFeatures(const std::set<FeatureName>& failed, int patience);
+  std::set<FeatureName> FeaturesAt(const std::vector<Index>& hexes) const;
+  bool GiveUpLooseCurves();
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
@@ -133,7 +139,7 @@ private:
   WindingNumber Winding;
   std::unique_ptr<FeatureGeometry> Geometry; ///< null without features
   GivenUpFeatures GivenUp;
-  std::map<std::pair<int, Index>, int> MappingFailures; ///< rounds in which a feature (kind, id) failed
+  std::map<FeatureName, int> Failures; ///< rounds in which a feature could not be mapped or untangled
   std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
@@ -285,8 +291,8 @@ void Mesher::PrepareSizing()
   {
     return;
   }
-  this->Geometry = std::make_unique<FeatureGeometry>(
-    this->Surface->Mesh(), this->Result.SurfaceGraph, TrimCells * this->EdgeLength);
+  this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
+    this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
   FeatureSizingOptions features;
   features.TargetEdgeLength = this->EdgeLength;
   features.MaximumLevel = this->Options.MaximumLevel;
@@ -409,34 +415,92 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   return Outcome::Done;
 }
 
-/// Features that failed in several rounds are not enforced any more: a mesh without them, which says so, is worth more
-/// than none. True: there are such.
-bool Mesher::GiveUpFeatures()
+/// Features that failed in as many rounds as there is @a patience are not enforced any more: a mesh without them, which
+/// says so, is worth more than none. True: there are such.
+bool Mesher::GiveUpFeatures(const std::set<FeatureName>& failed, int patience)
 {
   const std::size_t before = this->GivenUp.Corners.size() + this->GivenUp.Curves.size();
-  for (const MappingFailure& failure : this->Mapping.Failures)
+  for (const FeatureName& feature : failed)
   {
-    const auto key = std::make_pair(static_cast<int>(failure.Kind), failure.Id);
-    if (++this->MappingFailures[key] < PatientRounds)
+    if (++this->Failures[feature] < patience)
     {
       continue;
     }
-    if (failure.Kind == FeatureKind::Corner)
+    const auto [kind, id] = feature;
+    if (kind == FeatureKind::Corner)
     {
-      this->GivenUp.Corners.insert(failure.Id);
+      this->GivenUp.Corners.insert(id);
     }
     for (Index c = 0; c < static_cast<Index>(this->Result.SurfaceGraph.Curves.size()); ++c)
     {
       const FeatureCurve& curve = this->Result.SurfaceGraph.Curves[c];
-      if ((failure.Kind == FeatureKind::Curve && failure.Id == c) ||
-        (failure.Kind == FeatureKind::Surface &&
-          (curve.LeftPatch == failure.Id || curve.RightPatch == failure.Id)))
+      if ((kind == FeatureKind::Curve && id == c) ||
+        (kind == FeatureKind::Surface && (curve.LeftPatch == id || curve.RightPatch == id)))
       {
         this->GivenUp.Curves.insert(c);
       }
     }
   }
-  return this->GivenUp.Corners.size() + this->GivenUp.Curves.size() > before;
+  if (this->GivenUp.Corners.size() + this->GivenUp.Curves.size() == before)
+  {
+    return false;
+  }
+  this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
+    this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
+  return true;
+}
+
+/// Corners and curves on which these hexes have vertices.
+std::set<FeatureName> Mesher::FeaturesAt(const std::vector<Index>& hexes) const
+{
+  std::set<FeatureName> features;
+  const FeatureLabels labels(this->Features, this->Stars);
+  for (Index h : hexes)
+  {
+    for (Index v : this->Body.Mesh.Hexes[h])
+    {
+      if (labels.Kind[v] >= FeatureKind::Curve)
+      {
+        features.insert({ labels.Kind[v], labels.Id[v] });
+      }
+    }
+  }
+  return features;
+}
+
+/// Curves with the same patch on both sides that hold the quality far down, or were not reached: they bound nothing. What
+/// the rest of the surface could have is not spoilt for them.
+bool Mesher::GiveUpLooseCurves()
+{
+  std::vector<Index> bad;
+  for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
+  {
+    if (this->Result.Validation.ScaledJacobians[h] < LooseShare * this->Options.MinimumScaledJacobian)
+    {
+      bad.push_back(static_cast<Index>(h));
+    }
+  }
+  std::set<FeatureName> loose;
+  const auto add = [&](Index c) {
+    const EnforcedCurve& curve = this->Geometry->Curves()[c];
+    if (this->Geometry->PatchOf(curve.LeftPatch) == this->Geometry->PatchOf(curve.RightPatch))
+    {
+      loose.insert({ FeatureKind::Curve, c });
+    }
+  };
+  for (const auto& [kind, id] : this->FeaturesAt(bad))
+  {
+    if (kind == FeatureKind::Curve)
+    {
+      add(id);
+      continue;
+    }
+    for (const CornerFan::Spoke& spoke : this->Geometry->Fans()[id].Spokes)
+    {
+      add(spoke.Curve);
+    }
+  }
+  return this->GiveUpFeatures(loose, 1);
 }
 
 Mesher::Outcome Mesher::MapFeatures(Status& status)
@@ -457,10 +521,13 @@ Mesher::Outcome Mesher::MapFeatures(Status& status)
   {
     return Outcome::Done;
   }
-  if (this->GiveUpFeatures())
+  std::set<FeatureName> failed;
+  for (const MappingFailure& failure : this->Mapping.Failures)
   {
-    this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
-      this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
+    failed.insert({ failure.Kind, failure.Id });
+  }
+  if (this->GiveUpFeatures(failed, PatientRounds))
+  {
     return this->MapFeatures(status);
   }
   std::vector<Vec3> places;
@@ -512,8 +579,14 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     this->Body.Mesh, this->Stars, this->Surface.get(), untangling, report, this->Progress);
   if (status.Ok() && report.InvertedAfter > 0)
   {
+    const std::vector<Index> inverted = InvertedHexes(this->Body.Mesh);
+    if (this->Geometry && this->GiveUpFeatures(this->FeaturesAt(inverted), PatientRounds))
+    {
+      const Outcome outcome = this->MapFeatures(status);
+      return outcome == Outcome::Done ? this->BuildBody(status) : outcome;
+    }
     std::vector<Vec3> places;
-    for (Index h : InvertedHexes(this->Body.Mesh))
+    for (Index h : inverted)
     {
       places.push_back(this->Body.Mesh.Points[this->Body.Mesh.Hexes[h][0]]);
     }
@@ -600,6 +673,13 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   this->KeepBest();
   const double minimum = this->Result.Validation.Quality.Minimum;
   const double share = this->Geometry ? AcceptableFeatureShare : AcceptableShare;
+  if (this->Geometry && this->Round + 1 < this->LastRound && this->GiveUpLooseCurves())
+  {
+    this->PrepareSizing(); // without them
+    this->Result.Rounds.back().Reason =
+      "Loose curves hold the quality down: not enforced any more";
+    return Outcome::Refine;
+  }
   if (minimum >= share * this->Options.MinimumScaledJacobian ||
     ++this->QualityRounds > MaximumQualityRounds)
   {

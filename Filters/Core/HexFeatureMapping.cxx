@@ -332,10 +332,16 @@ void Mapper::MatchPatches()
       }
     }
   }
+  std::map<int, int> merged; // patches in each group
+  for (int patch = 0; patch < this->Geometry.Features().NumberOfPatches; ++patch)
+  {
+    ++merged[this->Geometry.PatchOf(patch)];
+  }
   for (int patch = 0; patch < this->Geometry.Features().NumberOfPatches; ++patch)
   {
     const int count = piecesOfPatch[patch];
-    if (this->Geometry.PatchOf(patch) == patch && count != 1)
+    // How merged patches hang together depends on curves that are not enforced.
+    if (this->Geometry.PatchOf(patch) == patch && count != 1 && (count == 0 || merged[patch] == 1))
     {
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
       this->Fail(FeatureKind::Surface, patch, "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +

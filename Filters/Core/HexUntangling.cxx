@@ -121,7 +121,8 @@ Status Untangler::Run(const SurfaceGeometry* surface)
     {
       return status;
     }
-    if (!features || attempt == MaximumUnfoldings)
+    if (!features || attempt == MaximumUnfoldings ||
+      this->Report.InvertedAfter > this->Report.Hopeless)
     {
       break;
     }
