@@ -74,6 +74,24 @@ std::vector<std::vector<Index>> NeighborsOf(
   return neighbors;
 }
 
+/// Closest point of the patches of the quads round a vertex: more than one where no curve parts them.
+Vec3 OnPatches(const HexStars& stars, const FeatureTargets& features, Index vertex, const Vec3& p)
+{
+  TrianglePoint best;
+  const SurfaceGeometry* last = nullptr;
+  for (Index q : stars.QuadsOfVertex[vertex])
+  {
+    const SurfaceGeometry& patch = features.PatchOfQuad(q);
+    if (&patch != last)
+    {
+      const TrianglePoint point = patch.Search().Closest(p, -1, best.Distance);
+      best = point.Triangle >= 0 && point.Distance < best.Distance ? point : best;
+      last = &patch;
+    }
+  }
+  return best.Point;
+}
+
 /// Sequential, in the order of the ids.
 void Spread(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features,
   const std::vector<Index>& quads)
@@ -89,10 +107,8 @@ void Spread(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features
       {
         mean += mesh.Points[other] / static_cast<double>(neighbors[v].size());
       }
-      const Index quad = stars.QuadsOfVertex[v][0];
-      mesh.Points[v] = features.OnFeature(v)
-        ? features.Project(v, mean)
-        : features.PatchOfQuad(quad).Search().Closest(mean).Point;
+      mesh.Points[v] =
+        features.OnFeature(v) ? features.Project(v, mean) : OnPatches(stars, features, v, mean);
     }
   }
 }

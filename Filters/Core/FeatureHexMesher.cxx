@@ -660,9 +660,15 @@ Mesher::Outcome Mesher::Validate(Status& status)
     return Outcome::Failed;
   }
   std::vector<Vec3> places;
+  std::vector<Index> hexes;
   for (const OffendingHex& bad : report.Offending)
   {
+    hexes.push_back(bad.Hex);
     places.push_back(this->Body.Mesh.Points[this->Body.Mesh.Hexes[bad.Hex][0]]);
+  }
+  if (this->Geometry)
+  {
+    this->GiveUpFeatures(this->FeaturesAt(hexes), PatientRounds);
   }
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }

@@ -50,6 +50,8 @@ private:
   {
     this->Report.InvertedAfter = static_cast<Index>(InvertedHexes(this->Mesh).size());
   }
+  bool Untangled() const { return this->Report.InvertedAfter <= this->Report.Hopeless; }
+  Status Settle(const SurfaceGeometry* surface);
   Status Sweep();
 
   HexMesh& Mesh;
@@ -71,8 +73,7 @@ Status Untangler::Sweep()
     this->CountInverted();
     return status;
   }
-  for (int sweep = 0; this->Report.InvertedAfter > this->Report.Hopeless &&
-       sweep < this->Options.MaximumSweeps; ++sweep)
+  for (int sweep = 0; !this->Untangled() && sweep < this->Options.MaximumSweeps; ++sweep)
   {
     if (!this->Progress.Update(static_cast<double>(sweep) / this->Options.MaximumSweeps))
     {
@@ -93,15 +94,19 @@ Status Untangler::Sweep()
   return this->Progress.StopStatus();
 }
 
+Status Untangler::Settle(const SurfaceGeometry* surface)
+{
+  this->CountInverted();
+  if (surface)
+  {
+    SurfaceTerms(this->Mesh, this->Stars, *surface, this->Options.Features)
+      .UpdatePlanes(this->Optimizer, this->Options.SurfaceWeight, this->Options.SurfaceWeight);
+  }
+  return this->Sweep();
+}
+
 Status Untangler::Run(const SurfaceGeometry* surface)
 {
-  const FeatureTargets* features = surface ? this->Options.Features : nullptr;
-  if (features)
-  {
-    SpreadAtFeatures(this->Mesh, this->Stars, *features);
-  }
-  this->CountInverted();
-  this->Report.InvertedBefore = this->Report.InvertedAfter;
   for (std::size_t v = 0; v < this->Mesh.Points.size(); ++v)
   {
     this->Optimizer.Fixed[v] = !surface && this->Stars.OnBoundary(static_cast<Index>(v));
@@ -110,30 +115,39 @@ Status Untangler::Run(const SurfaceGeometry* surface)
   {
     this->Report.Hopeless += this->Optimizer.Hopeless(static_cast<Index>(h)) ? 1 : 0;
   }
-  for (int attempt = 0;; ++attempt)
+  this->CountInverted();
+  this->Report.InvertedBefore = this->Report.InvertedAfter;
+  const FeatureTargets* features = surface ? this->Options.Features : nullptr;
+  const std::vector<Vec3> start = this->Mesh.Points;
+  if (features)
   {
-    if (surface)
-    {
-      SurfaceTerms(this->Mesh, this->Stars, *surface, features)
-        .UpdatePlanes(this->Optimizer, this->Options.SurfaceWeight, this->Options.SurfaceWeight);
-    }
-    if (const Status status = this->Sweep(); !status.Ok())
-    {
-      return status;
-    }
-    if (!features || attempt == MaximumUnfoldings ||
-      this->Report.InvertedAfter > this->Report.Hopeless)
-    {
-      break;
-    }
+    SpreadAtFeatures(this->Mesh, this->Stars, *features);
+  }
+  Status status = this->Settle(surface);
+  if (features && status.Ok() && !this->Untangled())
+  {
+    // Thin wedges, whose patch has two sides near each other.
+    this->Mesh.Points = start;
+    status = this->Settle(surface);
+  }
+  for (int attempt = 0; features && status.Ok() && this->Untangled() && attempt < MaximumUnfoldings;
+       ++attempt)
+  {
+    const std::vector<Vec3> before = this->Mesh.Points;
     this->Report.Folded = UnfoldBoundary(this->Mesh, this->Stars, *features);
     if (this->Report.Folded == 0)
     {
       break;
     }
-    this->CountInverted();
+    status = this->Settle(surface);
+    if (!this->Untangled())
+    {
+      this->Mesh.Points = before;
+      this->CountInverted();
+      break;
+    }
   }
-  return Status();
+  return status;
 }
 }
 
