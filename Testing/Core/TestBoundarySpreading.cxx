@@ -380,8 +380,10 @@ TEST(BoundarySpreading, UntanglingLeavesNothingInvertedOrFolded)
       options.Features = body.Targets.get();
       UntangleReport report;
       Monitor monitor;
+      const std::size_t inverted = InvertedHexes(body.Mesh).size();
       ExpectOk(UntangleHexes(body.Mesh, body.Stars, &surface, options, report, monitor));
-      EXPECT_GT(report.InvertedBefore, 0);
+      EXPECT_EQ(report.InvertedBefore, static_cast<Index>(inverted));
+      EXPECT_GT(report.Sweeps, 0) << "spreading inverts hexes";
       EXPECT_EQ(report.InvertedAfter, 0);
       EXPECT_EQ(report.Folded, 0);
       EXPECT_TRUE(InvertedHexes(body.Mesh).empty());
