@@ -2,6 +2,7 @@
 #include "FeatureHexMesher.h"
 
 #include "BlockOctree.h"
+#include "EnforcedFeatures.h"
 #include "FeatureSizing.h"
 #include "HexDomain.h"
 #include "HexFeatureMapping.h"
@@ -18,9 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <iomanip>
-#include <map>
 #include <memory>
-#include <set>
 #include <sstream>
 
 namespace featurehex
@@ -78,8 +77,6 @@ std::string Place(const Vec3& p)
   return text.str();
 }
 
-using FeatureName = std::pair<FeatureKind, Index>;
-
 /// The refinement loop: what lasts from round to round.
 class Mesher
 {
@@ -111,9 +108,8 @@ private:
   Outcome RunRound(int round, Status& status);
   Outcome BuildDomain(Status& status);
   Outcome MapFeatures(Status& status);
-  bool GiveUpFeatures(const std::set<FeatureName>& failed, int patience);
   std::set<FeatureName> FeaturesAt(const std::vector<Index>& hexes) const;
-  bool GiveUpLooseCurves();
+  bool GiveUpSpoilers();
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
@@ -137,9 +133,7 @@ private:
 
   std::unique_ptr<SurfaceGeometry> Surface;
   WindingNumber Winding;
-  std::unique_ptr<FeatureGeometry> Geometry; ///< null without features
-  GivenUpFeatures GivenUp;
-  std::map<FeatureName, int> Failures; ///< rounds in which a feature could not be mapped or untangled
+  EnforcedFeatures Enforced;
   std::unique_ptr<ProvenFitting> Fitting;
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
@@ -291,13 +285,13 @@ void Mesher::PrepareSizing()
   {
     return;
   }
-  this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
-    this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
+  this->Enforced.Build(
+    this->Surface->Mesh(), this->Result.SurfaceGraph, TrimCells * this->EdgeLength);
   FeatureSizingOptions features;
   features.TargetEdgeLength = this->EdgeLength;
   features.MaximumLevel = this->Options.MaximumLevel;
   const std::vector<RefinementPoint> points = ThinRefinementPoints(
-    ComputeFeatureSizing(*this->Geometry, features), this->EdgeLength);
+    ComputeFeatureSizing(*this->Enforced.Geometry(), features), this->EdgeLength);
   this->Points.insert(this->Points.end(), points.begin(), points.end());
 }
 
@@ -325,6 +319,7 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
     this->Halved = true;
     this->LastRound += this->Options.MaximumRounds;
     this->EdgeLength /= 2;
+    this->Enforced.SetTrim(TrimCells * this->EdgeLength);
     for (RefinementPoint& point : this->Points)
     {
       --point.Level;
@@ -415,62 +410,15 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   return Outcome::Done;
 }
 
-/// Features that failed in as many rounds as there is @a patience are not enforced any more: a mesh without them, which
-/// says so, is worth more than none. True: there are such.
-bool Mesher::GiveUpFeatures(const std::set<FeatureName>& failed, int patience)
-{
-  const std::size_t before = this->GivenUp.Corners.size() + this->GivenUp.Curves.size();
-  for (const FeatureName& feature : failed)
-  {
-    if (++this->Failures[feature] < patience)
-    {
-      continue;
-    }
-    const auto [kind, id] = feature;
-    if (kind == FeatureKind::Corner)
-    {
-      this->GivenUp.Corners.insert(id);
-    }
-    for (Index c = 0; c < static_cast<Index>(this->Result.SurfaceGraph.Curves.size()); ++c)
-    {
-      const FeatureCurve& curve = this->Result.SurfaceGraph.Curves[c];
-      if ((kind == FeatureKind::Curve && id == c) ||
-        (kind == FeatureKind::Surface && (curve.LeftPatch == id || curve.RightPatch == id)))
-      {
-        this->GivenUp.Curves.insert(c);
-      }
-    }
-  }
-  if (this->GivenUp.Corners.size() + this->GivenUp.Curves.size() == before)
-  {
-    return false;
-  }
-  this->Geometry = std::make_unique<FeatureGeometry>(this->Surface->Mesh(),
-    this->Result.SurfaceGraph, TrimCells * this->EdgeLength, this->GivenUp);
-  return true;
-}
-
 /// Corners and curves on which these hexes have vertices.
 std::set<FeatureName> Mesher::FeaturesAt(const std::vector<Index>& hexes) const
 {
-  std::set<FeatureName> features;
-  const FeatureLabels labels(this->Features, this->Stars);
-  for (Index h : hexes)
-  {
-    for (Index v : this->Body.Mesh.Hexes[h])
-    {
-      if (labels.Kind[v] >= FeatureKind::Curve)
-      {
-        features.insert({ labels.Kind[v], labels.Id[v] });
-      }
-    }
-  }
-  return features;
+  return featurehex::FeaturesAt(
+    this->Body.Mesh, hexes, FeatureLabels(this->Features, this->Stars));
 }
 
-/// Curves with the same patch on both sides that hold the quality far down, or were not reached: they bound nothing. What
-/// the rest of the surface could have is not spoilt for them.
-bool Mesher::GiveUpLooseCurves()
+/// Loose curves that hold the quality far down: what the rest of the surface could have is not spoilt for them.
+bool Mesher::GiveUpSpoilers()
 {
   std::vector<Index> bad;
   for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
@@ -480,38 +428,18 @@ bool Mesher::GiveUpLooseCurves()
       bad.push_back(static_cast<Index>(h));
     }
   }
-  std::set<FeatureName> loose;
-  const auto add = [&](Index c) {
-    const EnforcedCurve& curve = this->Geometry->Curves()[c];
-    if (this->Geometry->PatchOf(curve.LeftPatch) == this->Geometry->PatchOf(curve.RightPatch))
-    {
-      loose.insert({ FeatureKind::Curve, c });
-    }
-  };
-  for (const auto& [kind, id] : this->FeaturesAt(bad))
-  {
-    if (kind == FeatureKind::Curve)
-    {
-      add(id);
-      continue;
-    }
-    for (const CornerFan::Spoke& spoke : this->Geometry->Fans()[id].Spokes)
-    {
-      add(spoke.Curve);
-    }
-  }
-  return this->GiveUpFeatures(loose, 1);
+  return this->Enforced.GiveUpLoose(this->FeaturesAt(bad));
 }
 
 Mesher::Outcome Mesher::MapFeatures(Status& status)
 {
-  if (!this->Geometry)
+  if (!this->Enforced.Geometry())
   {
     return Outcome::Done;
   }
   const StageClock clock(this->Result.Timings, "feature mapping");
   this->BeginPhase("mapping the features", 0.15, 0.16);
-  status = MapFeaturesToInterface(this->Dual, this->Domain.Interface, *this->Geometry,
+  status = MapFeaturesToInterface(this->Dual, this->Domain.Interface, *this->Enforced.Geometry(),
     FeatureMappingOptions(), this->Progress, this->Mapping);
   if (!status.Ok())
   {
@@ -526,7 +454,7 @@ Mesher::Outcome Mesher::MapFeatures(Status& status)
   {
     failed.insert({ failure.Kind, failure.Id });
   }
-  if (this->GiveUpFeatures(failed, PatientRounds))
+  if (this->Enforced.GiveUp(failed, PatientRounds))
   {
     return this->MapFeatures(status);
   }
@@ -548,14 +476,14 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     this->BeginPhase("padding", 0.15, 0.17);
     this->Features = this->Mapping.Features;
     status = PadInterface(this->Dual, this->Domain.Region, PaddingOptions(), this->Body,
-      this->Geometry ? &this->Features : nullptr, this->Geometry.get());
+      this->Enforced.Geometry() ? &this->Features : nullptr, this->Enforced.Geometry());
     if (!status.Ok())
     {
       return Outcome::Failed;
     }
-    if (this->Geometry)
+    if (this->Enforced.Geometry())
     {
-      PadDegenerateQuads(this->Body, this->Features, *this->Geometry, LocalPaddingOptions());
+      PadDegenerateQuads(this->Body, this->Features, *this->Enforced.Geometry(), LocalPaddingOptions());
     }
     status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
     if (!status.Ok())
@@ -564,10 +492,10 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     }
     this->Result.Rounds.back().Hexes = static_cast<Index>(this->Body.Mesh.Hexes.size());
     this->Stars = HexStars(this->Body.Mesh);
-    if (this->Geometry)
+    if (this->Enforced.Geometry())
     {
       this->Targets = std::make_unique<FeatureTargets>(
-        *this->Geometry, this->Features, this->Stars, this->Body.Mesh.Points);
+        *this->Enforced.Geometry(), this->Features, this->Stars, this->Body.Mesh.Points);
     }
   }
   const StageClock clock(this->Result.Timings, "untangling");
@@ -580,7 +508,7 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   if (status.Ok() && report.InvertedAfter > 0)
   {
     const std::vector<Index> inverted = InvertedHexes(this->Body.Mesh);
-    if (this->Geometry && this->GiveUpFeatures(this->FeaturesAt(inverted), PatientRounds))
+    if (this->Enforced.Geometry() && this->Enforced.GiveUp(this->FeaturesAt(inverted), PatientRounds))
     {
       const Outcome outcome = this->MapFeatures(status);
       return outcome == Outcome::Done ? this->BuildBody(status) : outcome;
@@ -640,7 +568,7 @@ Mesher::Outcome Mesher::Validate(Status& status)
   this->BeginPhase("validating", 0.9, 1.0);
   HexValidationOptions validation;
   validation.Tolerance = this->Options.Tolerance;
-  if (this->Geometry)
+  if (this->Enforced.Geometry())
   {
     validation.Features = { &this->Result.SurfaceGraph, &this->Features };
   }
@@ -666,9 +594,9 @@ Mesher::Outcome Mesher::Validate(Status& status)
     hexes.push_back(bad.Hex);
     places.push_back(this->Body.Mesh.Points[this->Body.Mesh.Hexes[bad.Hex][0]]);
   }
-  if (this->Geometry)
+  if (this->Enforced.Geometry())
   {
-    this->GiveUpFeatures(this->FeaturesAt(hexes), PatientRounds);
+    this->Enforced.GiveUp(this->FeaturesAt(hexes), PatientRounds);
   }
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }
@@ -678,8 +606,8 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   this->KeepBest();
   const double minimum = this->Result.Validation.Quality.Minimum;
-  const double share = this->Geometry ? AcceptableFeatureShare : AcceptableShare;
-  if (this->Geometry && this->Round + 1 < this->LastRound && this->GiveUpLooseCurves())
+  const double share = this->Enforced.Geometry() ? AcceptableFeatureShare : AcceptableShare;
+  if (this->Enforced.Geometry() && this->Round + 1 < this->LastRound && this->GiveUpSpoilers())
   {
     this->PrepareSizing(); // without them
     this->Result.Rounds.back().Reason =
@@ -705,7 +633,7 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       places.push_back(this->Surface->Search().Closest(center).Point);
     }
   }
-  if (this->Geometry && places.size() > StructuralShare * this->Body.Mesh.Hexes.size())
+  if (this->Enforced.Geometry() && places.size() > StructuralShare * this->Body.Mesh.Hexes.size())
   {
     return Outcome::Done; // creases: finer cells would look the same
   }

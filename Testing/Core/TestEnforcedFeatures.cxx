@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EnforcedFeatures.h"
+
+#include "MappingShapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace featurehex;
+
+namespace
+{
+/// A box with its edges and a loose curve on top.
+struct Setting
+{
+  MappingShape Shape{ { 4, 4, 2 }, { { { 1, 2, 2 }, { 2, 2, 2 }, { 3, 2, 2 } } } };
+  Index Loose = this->Shape.CurveThrough({ 2, 2, 2 });
+  Index Edge = this->Shape.CurveThrough({ 2, 0, 2 });
+  Index Corner = 0;
+  EnforcedFeatures Features;
+
+  Setting() { this->Features.Build(this->Shape.Surface, this->Shape.Graph, 0.5); }
+};
+}
+
+TEST(EnforcedFeatures, NothingBeforeItIsBuilt)
+{
+  EXPECT_EQ(EnforcedFeatures().Geometry(), nullptr);
+}
+
+TEST(EnforcedFeatures, PatienceCountsRoundsOfEachFeature)
+{
+  Setting setting;
+  const FeatureGeometry* first = setting.Features.Geometry();
+  const std::set<FeatureName> failed = { { FeatureKind::Curve, setting.Edge } };
+  EXPECT_FALSE(setting.Features.GiveUp(failed, 3));
+  EXPECT_FALSE(setting.Features.GiveUp({ { FeatureKind::Curve, setting.Loose } }, 3));
+  EXPECT_FALSE(setting.Features.GiveUp(failed, 3));
+  EXPECT_EQ(setting.Features.Geometry(), first);
+  EXPECT_TRUE(setting.Features.GiveUp(failed, 3));
+  const FeatureGeometry& geometry = *setting.Features.Geometry();
+  EXPECT_TRUE(geometry.Curves()[setting.Edge].Points.empty());
+  EXPECT_FALSE(geometry.Curves()[setting.Loose].Points.empty());
+  const FeatureCurve& curve = setting.Shape.Graph.Curves[setting.Edge];
+  EXPECT_EQ(geometry.PatchOf(curve.LeftPatch), geometry.PatchOf(curve.RightPatch));
+  EXPECT_FALSE(setting.Features.GiveUp(failed, 3)) << "it is given up already";
+}
+
+TEST(EnforcedFeatures, CornersAndPatches)
+{
+  Setting setting;
+  EXPECT_TRUE(setting.Features.GiveUp({ { FeatureKind::Corner, setting.Corner } }, 1));
+  EXPECT_FALSE(setting.Features.Geometry()->Enforced(setting.Corner));
+  EXPECT_TRUE(setting.Features.Geometry()->Enforced(setting.Corner + 1));
+  EXPECT_TRUE(setting.Features.GiveUp({ { FeatureKind::Surface, 0 } }, 1));
+  for (std::size_t c = 0; c < setting.Shape.Graph.Curves.size(); ++c)
+  {
+    const FeatureCurve& curve = setting.Shape.Graph.Curves[c];
+    if (curve.LeftPatch == 0 || curve.RightPatch == 0)
+    {
+      EXPECT_TRUE(setting.Features.Geometry()->Curves()[c].Points.empty()) << c;
+    }
+  }
+  EXPECT_FALSE(setting.Features.GiveUp({ { FeatureKind::Surface, -1 } }, 1));
+}
+
+TEST(EnforcedFeatures, OnlyLooseCurvesGoAtOnce)
+{
+  Setting setting;
+  EXPECT_FALSE(setting.Features.GiveUpLoose(
+    { { FeatureKind::Curve, setting.Edge }, { FeatureKind::Corner, setting.Corner } }));
+  EXPECT_TRUE(setting.Features.GiveUpLoose({ { FeatureKind::Curve, setting.Loose } }));
+  EXPECT_TRUE(setting.Features.Geometry()->Curves()[setting.Loose].Points.empty());
+
+  Setting atCorner;
+  const Index end = atCorner.Shape.Graph.Curves[atCorner.Loose].FirstCorner;
+  EXPECT_TRUE(atCorner.Features.GiveUpLoose({ { FeatureKind::Corner, end } }));
+  EXPECT_TRUE(atCorner.Features.Geometry()->Curves()[atCorner.Loose].Points.empty());
+}
+
+TEST(EnforcedFeatures, FeaturesOfHexes)
+{
+  Setting setting;
+  setting.Shape.Map();
+  HexFeatures features = setting.Shape.Mapping.Features;
+  const HexStars stars(setting.Shape.Mesh);
+  const FeatureLabels labels(features, stars);
+  const Index vertex = features.CornerVertices[setting.Corner];
+  std::vector<Index> hexes(stars.Hexes[vertex].begin(), stars.Hexes[vertex].end());
+  const std::set<FeatureName> found = FeaturesAt(setting.Shape.Mesh, hexes, labels);
+  EXPECT_EQ(found.count({ FeatureKind::Corner, setting.Corner }), 1u);
+  int curves = 0;
+  for (const auto& [kind, id] : found)
+  {
+    curves += kind == FeatureKind::Curve;
+    EXPECT_NE(kind, FeatureKind::Surface);
+  }
+  EXPECT_EQ(curves, 3);
+  EXPECT_TRUE(FeaturesAt(setting.Shape.Mesh, {}, labels).empty());
+}
