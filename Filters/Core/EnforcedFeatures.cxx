@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnforcedFeatures.h"
 
+#include "PolylineDistance.h"
+
 namespace featurehex
 {
 std::set<FeatureName> FeaturesAt(
@@ -18,6 +20,81 @@ std::set<FeatureName> FeaturesAt(
     }
   }
   return features;
+}
+
+namespace
+{
+std::vector<Vec3> PointsOf(const HexMesh& mesh, const std::vector<Index>& path)
+{
+  std::vector<Vec3> points;
+  for (Index v : path)
+  {
+    points.push_back(mesh.Points[v]);
+  }
+  return points;
+}
+
+/// Points of one polyline, and between them, that are far from another.
+void AddFarPoints(
+  const std::vector<Vec3>& from, const Polyline& to, double distance, std::vector<Vec3>& places)
+{
+  for (std::size_t i = 1; i < from.size(); ++i)
+  {
+    for (double t : { 0.0, 0.25, 0.5, 0.75 })
+    {
+      const Vec3 p = from[i - 1] + t * (from[i] - from[i - 1]);
+      if (to.Closest(p).Distance > distance)
+      {
+        places.push_back(p);
+      }
+    }
+  }
+}
+}
+
+std::vector<Vec3> FeaturePlacesBeyond(const HexMesh& mesh, const std::vector<Quad>& quads,
+  const HexFeatures& features, const FeatureGeometry& geometry,
+  const FeatureValidationReport& report, double distance)
+{
+  std::vector<Vec3> places;
+  for (std::size_t c = 0; c < report.Curves.size(); ++c)
+  {
+    if (report.Curves[c].Outcome == FeatureOutcome::BeyondTolerance)
+    {
+      const std::vector<Vec3> chain = PointsOf(mesh, features.CurvePaths[c]);
+      const std::vector<Vec3>& curve = geometry.Curves()[c].Points;
+      AddFarPoints(chain, Polyline(curve), distance, places);
+      AddFarPoints(curve, Polyline(chain), distance, places);
+    }
+  }
+  for (std::size_t q = 0; q < quads.size(); ++q)
+  {
+    const int patch = features.PatchOfQuad[q];
+    if (patch < 0 || report.Patches[patch].Outcome != FeatureOutcome::BeyondTolerance)
+    {
+      continue;
+    }
+    const TriangleSearch& search = geometry.Patch(patch).Search();
+    Vec3 center = Vec3::Zero();
+    for (int k = 0; k < 4; ++k)
+    {
+      const Vec3& a = mesh.Points[quads[q][k]];
+      const Vec3& b = mesh.Points[quads[q][(k + 1) & 3]];
+      center += 0.25 * a;
+      for (const Vec3& p : { a, Vec3(0.5 * (a + b)) })
+      {
+        if (search.Closest(p).Distance > distance)
+        {
+          places.push_back(p);
+        }
+      }
+    }
+    if (search.Closest(center).Distance > distance)
+    {
+      places.push_back(center);
+    }
+  }
+  return places;
 }
 
 void EnforcedFeatures::Build(

@@ -6,7 +6,7 @@
 #define featurehex_EnforcedFeatures_h
 
 #include "FeatureGeometry.h"
-#include "HexFeatures.h"
+#include "FeatureValidation.h"
 
 #include <map>
 #include <set>
@@ -19,6 +19,13 @@ using FeatureName = std::pair<FeatureKind, Index>;
 /// Corners and curves on which some hexes have vertices.
 std::set<FeatureName> FeaturesAt(
   const HexMesh& mesh, const std::vector<Index>& hexes, const FeatureLabels& labels);
+
+/// Where curves and patches that @a report calls BeyondTolerance and their chains and quads are farther apart than
+/// @a distance (model units), sampled. The boundary as a whole may be nearer: the surface beyond a crease counts there,
+/// not here. @a quads: the boundary.
+std::vector<Vec3> FeaturePlacesBeyond(const HexMesh& mesh, const std::vector<Quad>& quads,
+  const HexFeatures& features, const FeatureGeometry& geometry,
+  const FeatureValidationReport& report, double distance);
 
 /// The features that a mesh shall have. What fails again and again is given up: a mesh without it, which says so, is
 /// worth more than none.

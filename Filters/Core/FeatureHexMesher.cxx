@@ -21,6 +21,7 @@
 #include <iomanip>
 #include <memory>
 #include <sstream>
+#include <tuple>
 
 namespace featurehex
 {
@@ -34,6 +35,7 @@ constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
 constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
+constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 constexpr double LooseShare = 0.2; // of the wanted minimum: below, curves that bound no patch are given up
 constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
 
@@ -113,6 +115,7 @@ private:
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
+  Outcome FollowFeatures(Status& status);
   Outcome RaiseQuality(Status& status);
   void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
@@ -138,6 +141,7 @@ private:
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
   bool Halved = false;
+  int FeatureRounds = 0;
   int QualityRounds = 0;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
@@ -601,10 +605,35 @@ Mesher::Outcome Mesher::Validate(Status& status)
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }
 
+/// A valid mesh may have edges and quads that leave their own curve or patch by more than the tolerance: finer cells there.
+Mesher::Outcome Mesher::FollowFeatures(Status& status)
+{
+  this->KeepBest();
+  if (!this->Enforced.Geometry() || this->Result.Validation.Features.AllCaptured() ||
+    ++this->FeatureRounds > MaximumQualityRounds)
+  {
+    return Outcome::Done;
+  }
+  const std::vector<Vec3> places = FeaturePlacesBeyond(this->Body.Mesh, this->Stars.Quads,
+    this->Features, *this->Enforced.Geometry(), this->Result.Validation.Features,
+    BeyondShare * this->AbsoluteTolerance());
+  if (places.empty())
+  {
+    return Outcome::Done;
+  }
+  const Outcome outcome = this->Refine("Feature curves or patches are left by more than the tolerance",
+    StatusCode::Features, places, status);
+  if (outcome == Outcome::Failed)
+  {
+    status = Status(); // the mesh is valid
+    return Outcome::Done;
+  }
+  return outcome;
+}
+
 /// A valid mesh whose worst hex is stuck far below the wanted quality gets finer cells there, a few times.
 Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
-  this->KeepBest();
   const double minimum = this->Result.Validation.Quality.Minimum;
   const double share = this->Enforced.Geometry() ? AcceptableFeatureShare : AcceptableShare;
   if (this->Enforced.Geometry() && this->Round + 1 < this->LastRound && this->GiveUpSpoilers())
@@ -647,10 +676,22 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   return outcome;
 }
 
+/// Sound quality counts first, then missed features, then quality.
 void Mesher::KeepBest()
 {
+  const auto rank = [this](const HexValidationReport& report) {
+    Index missed = 0;
+    for (const FeatureTotals& totals : { report.Features.CornerTotals(),
+           report.Features.CurveTotals(), report.Features.PatchTotals() })
+    {
+      missed += totals.Enforced - totals.Captured;
+    }
+    const double minimum = report.Quality.Minimum;
+    return std::make_tuple(
+      minimum >= LooseShare * this->Options.MinimumScaledJacobian, -missed, minimum);
+  };
   if (this->Best.Mesh.Hexes.empty() ||
-    this->Result.Validation.Quality.Minimum > this->Best.Validation.Quality.Minimum)
+    rank(this->Result.Validation) > rank(this->Best.Validation))
   {
     this->Best.Mesh = { this->MovedBack(this->Body.Mesh.Points), this->Body.Mesh.Hexes };
     this->Best.Region = this->Body.Region;
@@ -671,7 +712,7 @@ Mesher::Outcome Mesher::RunRound(int round, Status& status)
   this->Round = round;
   this->Result.Rounds.emplace_back();
   for (const auto stage : { &Mesher::BuildDomain, &Mesher::MapFeatures, &Mesher::BuildBody, &Mesher::Fit,
-         &Mesher::Validate, &Mesher::RaiseQuality })
+         &Mesher::Validate, &Mesher::FollowFeatures, &Mesher::RaiseQuality })
   {
     const Outcome outcome = (this->*stage)(status);
     if (outcome != Outcome::Done)

@@ -97,3 +97,41 @@ TEST(EnforcedFeatures, FeaturesOfHexes)
   EXPECT_EQ(curves, 3);
   EXPECT_TRUE(FeaturesAt(setting.Shape.Mesh, {}, labels).empty());
 }
+
+TEST(EnforcedFeatures, PlacesWhereChainsAndQuadsLeaveTheirFeature)
+{
+  Setting setting;
+  setting.Shape.Map();
+  const HexFeatures& features = setting.Shape.Mapping.Features;
+  HexMesh mesh = setting.Shape.Mesh;
+  std::vector<Quad> quads;
+  for (const InterfaceQuad& quad : setting.Shape.Interface)
+  {
+    quads.push_back(quad.Vertices);
+  }
+  FeatureValidationReport report;
+  report.Curves.resize(setting.Shape.Graph.Curves.size());
+  report.Patches.resize(setting.Shape.Graph.NumberOfPatches);
+  const auto places = [&] {
+    return FeaturePlacesBeyond(
+      mesh, quads, features, *setting.Features.Geometry(), report, 0.2);
+  };
+  const std::vector<Index>& path = features.CurvePaths[setting.Edge];
+  const Vec3 moved = mesh.Points[path[path.size() / 2]] += Vec3(0, 0, 0.3);
+  EXPECT_TRUE(places().empty()) << "nothing is reported";
+
+  FeatureFinding& curve = report.Curves[setting.Edge];
+  curve.Outcome = FeatureOutcome::OffPosition;
+  EXPECT_TRUE(places().empty()) << "finer cells don't help";
+  curve.Outcome = FeatureOutcome::BeyondTolerance;
+  ASSERT_FALSE(places().empty());
+  for (const Vec3& p : places())
+  {
+    EXPECT_LT((p - moved).norm(), 0.5);
+  }
+  curve.Outcome = FeatureOutcome::Captured;
+  // The side face has the moved vertex above itself; on top it is above, too.
+  report.Patches[setting.Shape.Graph.Curves[setting.Edge].LeftPatch].Outcome =
+    FeatureOutcome::BeyondTolerance;
+  EXPECT_FALSE(places().empty());
+}
