@@ -7,8 +7,8 @@
 #include "SubMonitor.h"
 
 #include <cmath>
-#include <numeric>
 #include <functional>
+#include <numeric>
 
 namespace featurehex
 {
@@ -464,7 +464,7 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
     const int n = split.N;
     const int m = split.M;
     const Vec3* p = split.Corner.data();
-  const auto base = static_cast<Index>(points.size());
+    const auto base = static_cast<Index>(points.size());
     for (int j = 0; j <= m; ++j)
     {
       for (int i = 0; i <= n; ++i)
