@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexFeatures.h"
 
+#include <utility>
+
 namespace featurehex
 {
 void RenumberFeatures(const std::vector<Index>& ids, HexFeatures& features)
@@ -16,6 +18,16 @@ void RenumberFeatures(const std::vector<Index>& ids, HexFeatures& features)
       v = ids[v];
     }
   }
+}
+
+void QuadPatches::Renumber(const std::vector<Index>& ids)
+{
+  QuadPatches renumbered;
+  for (const auto& [quad, patch] : this->Patches)
+  {
+    renumbered.Add({ ids[quad[0]], ids[quad[1]], ids[quad[2]], ids[quad[3]] }, patch);
+  }
+  *this = std::move(renumbered);
 }
 
 std::vector<int> QuadPatches::Of(const std::vector<Quad>& quads) const

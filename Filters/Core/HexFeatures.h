@@ -35,6 +35,8 @@ public:
     std::sort(quad.begin(), quad.end());
     this->Patches[quad] = patch;
   }
+  /// New vertex ids for all quads; @a ids: of each old vertex, no two the same.
+  void Renumber(const std::vector<Index>& ids);
   /// -1: a quad that was not added.
   std::vector<int> Of(const std::vector<Quad>& quads) const;
 

@@ -493,20 +493,8 @@ void Pillow::Apply()
   }
   const std::vector<Index> rank = OrderInSpace(this->Padded);
   RenumberFeatures(rank, this->Features);
-  std::vector<Index> old(rank.size());
-  for (std::size_t v = 0; v < rank.size(); ++v)
-  {
-    old[rank[v]] = static_cast<Index>(v);
-  }
-  std::vector<Quad> quads = HexStars(mesh).Quads;
-  for (Quad& quad : quads)
-  {
-    for (Index& v : quad)
-    {
-      v = old[v];
-    }
-  }
-  this->Features.PatchOfQuad = this->Patches.Of(quads);
+  this->Patches.Renumber(rank);
+  this->Features.PatchOfQuad = this->Patches.Of(HexStars(mesh).Quads);
 }
 }
 

@@ -418,14 +418,11 @@ void LayerBuilder::Finish()
   if (this->Features)
   {
     QuadPatches patches;
-    for (Facet& facet : this->Facets)
+    for (const Facet& facet : this->Facets)
     {
-      for (Index& v : facet.Vertices)
-      {
-        v = rank[v];
-      }
       patches.Add(facet.Vertices, facet.Patch);
     }
+    patches.Renumber(rank);
     this->Features->PatchOfQuad = patches.Of(HexStars(this->Padded.Mesh).Quads);
     RenumberFeatures(rank, *this->Features);
   }

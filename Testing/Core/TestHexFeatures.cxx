@@ -90,13 +90,9 @@ TEST(HexFeatures, RenumberedMeshHasTheSameFeatures)
   std::reverse(mesh.Hexes.begin(), mesh.Hexes.end());
   for (std::size_t q = 0; q < before.Quads.size(); ++q)
   {
-    Quad quad = before.Quads[q];
-    for (Index& v : quad)
-    {
-      v = ids[v];
-    }
-    patches.Add(quad, cube.Features.PatchOfQuad[q]);
+    patches.Add(before.Quads[q], cube.Features.PatchOfQuad[q]);
   }
+  patches.Renumber(ids);
   RenumberFeatures(ids, cube.Features);
   const HexBoundary boundary = ExtractBoundary(mesh);
   cube.Features.PatchOfQuad = patches.Of(boundary.Quads);
