@@ -59,6 +59,10 @@ struct GivenUpFeatures
   bool Empty() const { return this->Corners.empty() && this->Curves.empty(); }
 };
 
+/// Curves end this many target edge lengths before a corner that is not enforced (the paper's three
+/// rings).
+constexpr double TrimCells = 3.0;
+
 /// Prepared once for a surface and its features; const queries may run in parallel.
 class FeatureGeometry
 {

@@ -37,7 +37,6 @@ constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not 
 constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 constexpr double LooseShare = 0.2; // of the wanted minimum: below, curves that bound no patch are given up
-constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced (the paper's 3 rings)
 
 /// Adds the wall time between construction and destruction to a stage.
 class StageClock

@@ -18,8 +18,6 @@ namespace featurehex
 {
 namespace
 {
-constexpr double TrimCells = 3.0; // curves end so far from a corner that is not enforced
-
 Status Damaged(const std::string& what)
 {
   return Status(StatusCode::InvalidMesh,
@@ -175,8 +173,7 @@ Status HexFeaturesFromGrid(
 
 Status StageFeatures::Read(const SurfaceMesh& surface, vtkPolyData* graph, double edgeLength)
 {
-  const Status status =
-    graph ? FeaturesFromPolyData(surface, graph, this->Graph) : Status();
+  const Status status = graph ? FeaturesFromPolyData(surface, graph, this->Graph) : Status();
   if (status.Ok() && !this->Graph.Curves.empty())
   {
     this->Prepared =
@@ -242,11 +239,24 @@ Status StageFeatures::ReadMapped(
   return Status();
 }
 
-std::unique_ptr<FeatureTargets> StageFeatures::Targets(
-  const HexStars& stars, const std::vector<Vec3>& points) const
+Status StageFeatures::ReadTargets(
+  vtkObject* stage, vtkUnstructuredGrid* grid, const HexMesh& mesh, const HexStars& stars)
 {
-  return this->OfMesh.Empty()
-    ? nullptr
-    : std::make_unique<FeatureTargets>(*this->Prepared, this->OfMesh, stars, points);
+  std::string warning;
+  const Status status = this->ReadMapped(grid, stars.Quads, warning);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(stage, << warning);
+  }
+  if (!this->OfMesh.Empty())
+  {
+    this->OfPoints =
+      std::make_unique<FeatureTargets>(*this->Prepared, this->OfMesh, stars, mesh.Points);
+  }
+  return status;
 }
 } // namespace featurehex

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+class vtkObject;
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -36,7 +37,7 @@ public:
   void operator=(const StageFeatures&) = delete;
 
   /// @a surface, checked, is kept. A null @a graph, or one without curves: no features.
-  /// @param edgeLength target edge length: curves are cut short by three of it at corners that are
+  /// @param edgeLength target edge length: curves are cut short by TrimCells of it at corners that are
   /// not enforced, as in the composite
   Status Read(const SurfaceMesh& surface, vtkPolyData* graph, double edgeLength);
 
@@ -52,9 +53,12 @@ public:
   /// Empty unless both the surface and the mesh have features.
   const HexFeatures& Mapped() const { return this->OfMesh; }
 
-  /// For points that move; null without Mapped().
-  std::unique_ptr<FeatureTargets> Targets(
-    const HexStars& stars, const std::vector<Vec3>& points) const;
+  /// ReadMapped() for a @a stage whose points move; it gives the warning. @a mesh is that of the grid.
+  Status ReadTargets(
+    vtkObject* stage, vtkUnstructuredGrid* grid, const HexMesh& mesh, const HexStars& stars);
+
+  /// Null without ReadTargets() or Mapped().
+  FeatureTargets* Targets() { return this->OfPoints.get(); }
 
 private:
   bool Agree() const;
@@ -62,6 +66,7 @@ private:
   SurfaceFeatures Graph;
   std::unique_ptr<FeatureGeometry> Prepared;
   HexFeatures OfMesh;
+  std::unique_ptr<FeatureTargets> OfPoints;
 };
 } // namespace featurehex
 

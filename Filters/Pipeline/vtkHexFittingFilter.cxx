@@ -17,7 +17,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <limits>
-#include <memory>
 #include <string>
 
 vtkStandardNewMacro(vtkHexFittingFilter);
@@ -93,27 +92,21 @@ featurehex::Status vtkHexFittingFilter::Compute(
   const double edgeLength = FieldValue(input->GetFieldData(), ArrayNames::TargetEdgeLength, 0.0);
   StageFeatures features;
   status = features.Read(surface.Mesh(), vtkPolyData::GetData(inputs[2]), edgeLength);
-  std::string warning;
   if (status.Ok())
   {
-    status = features.ReadMapped(input, stars.Quads, warning);
+    status = features.ReadTargets(this, input, mesh, stars);
   }
   if (!status.Ok())
   {
     return status;
   }
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning);
-  }
-  const std::unique_ptr<FeatureTargets> targets = features.Targets(stars, mesh.Points);
   ProvenFittingOptions options;
   options.Tolerance = this->Tolerance;
   options.MinimumScaledJacobian = this->MinimumScaledJacobian;
   options.FittingIterations = this->FittingIterations;
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
-  status = ProvenFitting(surface, options).Run(mesh, stars, targets.get(), report, monitor);
+  status = ProvenFitting(surface, options).Run(mesh, stars, features.Targets(), report, monitor);
   const std::vector<Vec3>& places = report.Places;
   if (status.Ok())
   {
@@ -134,7 +127,7 @@ featurehex::Status vtkHexFittingFilter::Compute(
   {
     row.Numbers.emplace_back("HexesBelowMinimum", report.Improvement.BelowTarget);
   }
-  if (targets)
+  if (features.Targets())
   {
     row.Numbers.emplace_back("VerticesOffFeatures", report.Improvement.OffFeatures);
   }

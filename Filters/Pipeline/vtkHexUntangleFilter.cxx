@@ -85,7 +85,6 @@ featurehex::Status vtkHexUntangleFilter::Compute(
   }
   const HexStars stars(mesh);
   StageFeatures features;
-  std::string warning;
   if (vtkPolyData* graph = vtkPolyData::GetData(inputs[2]); graph && !surface)
   {
     status = Status(StatusCode::InvalidOption,
@@ -98,24 +97,19 @@ featurehex::Status vtkHexUntangleFilter::Compute(
   }
   if (status.Ok())
   {
-    status = features.ReadMapped(input, stars.Quads, warning);
+    status = features.ReadTargets(this, input, mesh, stars);
   }
   if (!status.Ok())
   {
     return status;
   }
-  if (!warning.empty())
-  {
-    vtkWarningMacro(<< warning);
-  }
-  const std::unique_ptr<FeatureTargets> targets = features.Targets(stars, mesh.Points);
 
   monitor.BeginPhase("untangling", 0.3, 1.0);
   UntangleOptions options;
   options.Method =
     this->Method == STITCHING ? UntangleMethod::Stitching : UntangleMethod::Regularized;
   options.MaximumSweeps = this->MaximumSweeps;
-  options.Features = targets.get();
+  options.Features = features.Targets();
   UntangleReport report;
   status = UntangleHexes(mesh, stars, surface.get(), options, report, monitor);
   if (status.Ok() && report.InvertedAfter > 0)
