@@ -5,8 +5,13 @@
 #ifndef featurehex_Testing_SharedData_h
 #define featurehex_Testing_SharedData_h
 
+#include "FeatureGraphFile.h"
+#include "SurfaceCheck.h"
+#include "SurfaceReader.h"
+
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 namespace featurehex
 {
@@ -17,6 +22,24 @@ inline std::filesystem::path SharedData()
   const std::filesystem::path beside =
     std::filesystem::path(FEATUREHEX_SOURCE_DIR).parent_path() / "shared";
   return (folder ? std::filesystem::path(folder) : beside) / "data";
+}
+
+/// A CAD part of the shared data, checked, with the features that its file gives it.
+inline Status ReadPart(const std::string& name, SurfaceMesh& surface, FeatureGraph& features)
+{
+  const std::filesystem::path data = SharedData();
+  Status status = ReadSurface((data / "surfaces/cad" / (name + ".obj")).string(), surface);
+  SurfaceCheckReport check;
+  if (status.Ok())
+  {
+    Monitor monitor;
+    status = CheckSurface(surface, SurfaceCheckOptions(), check, monitor);
+  }
+  if (status.Ok())
+  {
+    status = ReadFeatureGraph((data / "features" / (name + ".fgraph")).string(), -1, features);
+  }
+  return status.Ok() ? MapFeatures(check.Points, features.Edges, features.Corners) : status;
 }
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureDetection.h"
 
-#include "FeatureGraphFile.h"
 #include "SharedData.h"
-#include "SurfaceCheck.h"
-#include "SurfaceReader.h"
 
 #include <gtest/gtest.h>
 
@@ -281,21 +278,16 @@ TEST(FeatureDetection, NormalsOfSliversAreNotBelieved)
 /// The closed creases of real parts are found exactly; the rule says no more than the file.
 TEST(FeatureDetection, RealParts)
 {
-  const std::string data = SharedData().string() + "/";
-  if (!std::filesystem::exists(data + "surfaces/cad"))
+  if (!std::filesystem::exists(SharedData() / "surfaces/cad"))
   {
-    GTEST_SKIP() << "no surfaces in " << data;
+    GTEST_SKIP() << "no surfaces in " << SharedData();
   }
   for (const char* name : { "fandisk", "g01_block_through_hole", "g05_spur_gear", "joint", "rod" })
   {
     SurfaceMesh surface;
-    ASSERT_TRUE(ReadSurface(data + "surfaces/cad/" + name + ".obj", surface).Ok());
-    SurfaceCheckReport check;
-    Monitor monitor;
-    ASSERT_TRUE(CheckSurface(surface, SurfaceCheckOptions(), check, monitor).Ok());
     FeatureGraph file;
-    ASSERT_TRUE(ReadFeatureGraph(data + "features/" + name + ".fgraph", -1, file).Ok());
-    ASSERT_TRUE(MapFeatures(check.Points, file.Edges, file.Corners).Ok());
+    const Status status = ReadPart(name, surface, file);
+    ASSERT_TRUE(status.Ok()) << status.Message;
     for (PointPair& edge : file.Edges)
     {
       edge = { std::min(edge[0], edge[1]), std::max(edge[0], edge[1]) };

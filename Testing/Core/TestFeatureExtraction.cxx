@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureExtraction.h"
 
+#include "ValidationShapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,26 +11,13 @@ using namespace featurehex;
 
 namespace
 {
-/// Points by bits of their id: 1 x, 2 y, 4 z.
-SurfaceMesh Cube()
-{
-  SurfaceMesh cube;
-  for (int i = 0; i < 8; ++i)
-  {
-    cube.Points.push_back(Vec3(i & 1, i >> 1 & 1, i >> 2));
-  }
-  cube.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
-    { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
-  return cube;
-}
-
 struct Extracted
 {
   explicit Extracted(
     const FeatureExtractionOptions& options, const FeatureAnnotation* annotation = nullptr)
   {
     const Status status =
-      ExtractFeatures(Cube(), annotation, options, this->Features, this->Report);
+      ExtractFeatures(CubeSurface(), annotation, options, this->Features, this->Report);
     EXPECT_TRUE(status.Ok()) << status.Message;
   }
   std::array<std::size_t, 3> Counts() const
@@ -93,7 +82,7 @@ TEST(FeatureExtraction, FlawsAreWarnings)
     {} };
   FeatureExtractionOptions options;
   EXPECT_TRUE(Extracted(options, &all).Report.Warnings.empty());
-  SurfaceMesh flat = Cube();
+  SurfaceMesh flat = CubeSurface();
   for (Vec3& p : flat.Points)
   {
     p[1] *= 0.4; // the diagonal leaves at 22 degrees
@@ -171,10 +160,10 @@ TEST(FeatureExtraction, ErrorsOfTheAnnotation)
   {
     options.Mode = mode;
     FeatureAnnotation annotation = { { { 0, 7 } }, {} };
-    EXPECT_EQ(ExtractFeatures(Cube(), &annotation, options, features, report).Code,
+    EXPECT_EQ(ExtractFeatures(CubeSurface(), &annotation, options, features, report).Code,
       StatusCode::IndexOutOfRange);
     annotation = { {}, { 8 } };
-    EXPECT_EQ(ExtractFeatures(Cube(), &annotation, options, features, report).Code,
+    EXPECT_EQ(ExtractFeatures(CubeSurface(), &annotation, options, features, report).Code,
       StatusCode::IndexOutOfRange);
   }
 }

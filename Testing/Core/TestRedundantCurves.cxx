@@ -2,11 +2,8 @@
 #include "RedundantCurves.h"
 
 #include "FeatureExtraction.h"
-#include "FeatureGraphFile.h"
 #include "MeshTopology.h"
 #include "SharedData.h"
-#include "SurfaceCheck.h"
-#include "SurfaceReader.h"
 #include "ValidationShapes.h"
 
 #include <gtest/gtest.h>
@@ -376,22 +373,17 @@ TEST(RedundantCurves, CornersWithoutCurvesGoToo)
 
 TEST(RedundantCurves, RealParts)
 {
-  const std::string data = SharedData().string() + "/";
-  if (!std::filesystem::exists(data + "surfaces/cad"))
+  if (!std::filesystem::exists(SharedData() / "surfaces/cad"))
   {
-    GTEST_SKIP() << "no surfaces in " << data;
+    GTEST_SKIP() << "no surfaces in " << SharedData();
   }
   for (const auto& [name, count] : std::map<std::string, std::size_t>{ { "block", 15 },
          { "fandisk", 0 }, { "g05_spur_gear", 0 }, { "hanger", 0 }, { "joint", 0 }, { "rod", 0 } })
   {
     SurfaceMesh surface;
-    ASSERT_TRUE(ReadSurface(data + "surfaces/cad/" + name + ".obj", surface).Ok());
-    SurfaceCheckReport check;
-    Monitor monitor;
-    ASSERT_TRUE(CheckSurface(surface, SurfaceCheckOptions(), check, monitor).Ok());
     FeatureGraph file;
-    ASSERT_TRUE(ReadFeatureGraph(data + "features/" + name + ".fgraph", -1, file).Ok());
-    ASSERT_TRUE(MapFeatures(check.Points, file.Edges, file.Corners).Ok());
+    const Status status = ReadPart(name, surface, file);
+    ASSERT_TRUE(status.Ok()) << status.Message;
     const Extracted found(surface, { file.Edges, file.Corners });
     EXPECT_EQ(found.Report.RedundantCurves.size(), count) << name;
     EXPECT_EQ(found.Report.Notes.size(), count > 0 ? 1u : 0u) << name;

@@ -2,6 +2,7 @@
 #include "SurfaceFeatures.h"
 
 #include "SurfaceCheck.h"
+#include "ValidationShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,19 +13,6 @@ using namespace featurehex;
 
 namespace
 {
-/// Points by bits of their id: 1 x, 2 y, 4 z. Each face is cut by one diagonal.
-SurfaceMesh Cube()
-{
-  SurfaceMesh cube;
-  for (int i = 0; i < 8; ++i)
-  {
-    cube.Points.push_back(Vec3(i & 1, i >> 1 & 1, i >> 2));
-  }
-  cube.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
-    { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
-  return cube;
-}
-
 std::vector<PointPair> CubeEdges()
 {
   std::vector<PointPair> edges;
@@ -147,7 +135,7 @@ void ExpectSame(const SurfaceFeatures& a, const SurfaceFeatures& b)
 
 TEST(SurfaceFeatures, Cube)
 {
-  const SurfaceMesh cube = Cube();
+  const SurfaceMesh cube = CubeSurface();
   const SurfaceFeatures features = Build(cube, CubeEdges());
   ASSERT_EQ(features.Corners.size(), 8u);
   ASSERT_EQ(features.Curves.size(), 12u);
@@ -171,7 +159,7 @@ TEST(SurfaceFeatures, Cube)
 
 TEST(SurfaceFeatures, OrderOfTheInputDoesNotMatter)
 {
-  const SurfaceMesh cube = Cube();
+  const SurfaceMesh cube = CubeSurface();
   std::vector<PointPair> edges = CubeEdges();
   const SurfaceFeatures first = Build(cube, edges);
   std::mt19937 random(3);
@@ -318,7 +306,7 @@ TEST(SurfaceFeatures, EdgesThatTheCheckFlippedAway)
 {
   // The edge 0 1 of a cube's face z = 0 carries a point on the other face only: a collinear
   // triangle.
-  SurfaceMesh cube = Cube();
+  SurfaceMesh cube = CubeSurface();
   cube.Points.push_back(Vec3(0.5, 0, 0));
   cube.Points.push_back(Vec3(0.25, 0, 0));
   cube.Triangles[4] = { 8, 1, 5 };
@@ -344,7 +332,7 @@ TEST(SurfaceFeatures, EdgesThatTheCheckFlippedAway)
 
 TEST(SurfaceFeatures, Errors)
 {
-  const SurfaceMesh cube = Cube();
+  const SurfaceMesh cube = CubeSurface();
   SurfaceFeatures features;
   FeatureGraphReport report;
   const auto error = [&](const std::vector<PointPair>& edges, const std::vector<Index>& corners)

@@ -124,6 +124,19 @@ inline SurfaceMesh TorusSurface(int around, int tube, double large = 1.0, double
   return s;
 }
 
+/// The unit cube; points by bits of their id: 1 x, 2 y, 4 z. Each face is cut by one diagonal.
+inline SurfaceMesh CubeSurface()
+{
+  SurfaceMesh cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.Points.push_back(Vec3(i & 1, i >> 1 & 1, i >> 2));
+  }
+  cube.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+    { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  return cube;
+}
+
 /// Quads as triangles, both halves of the diagonal 0-2, on the same points.
 inline SurfaceMesh SplitQuads(const std::vector<Vec3>& points, const std::vector<Quad>& quads)
 {
