@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockOctree.h"
 
+#include "MortonCode.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,17 +18,6 @@ constexpr BlockKey LevelMask = (1 << LevelBits) - 1;
 constexpr std::uint64_t HashFactor = 0x9E3779B97F4A7C15ULL;
 using BlockIndex = std::array<int, 3>;
 
-/// Put two zero bits between the bits of a number of up to 21 bits.
-std::uint64_t Spread(std::uint64_t x)
-{
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  x = (x | x << 2) & 0x1249249249249249ULL;
-  return x;
-}
-
 /// Keep every third bit.
 std::uint64_t Compact(std::uint64_t x)
 {
@@ -37,11 +28,6 @@ std::uint64_t Compact(std::uint64_t x)
   x = (x | x >> 16) & 0x1f00000000ffffULL;
   x = (x | x >> 32) & 0x1fffffULL;
   return x;
-}
-
-std::uint64_t MortonCode(const BlockIndex& index)
-{
-  return Spread(index[0]) | Spread(index[1]) << 1 | Spread(index[2]) << 2;
 }
 
 /// Key of the block one level coarser around @a key.
@@ -66,8 +52,8 @@ std::size_t LastLeafUpTo(const std::vector<BlockKey>& leaves, BlockKey key)
 
 BlockKey PackBlock(const Block& block, int depth)
 {
-  return MortonCode(block.Index) << (3 * (depth - block.Level) + LevelBits) |
-         static_cast<std::uint64_t>(block.Level);
+  const std::uint64_t code = MortonCode(block.Index[0], block.Index[1], block.Index[2]);
+  return code << (3 * (depth - block.Level) + LevelBits) | static_cast<std::uint64_t>(block.Level);
 }
 
 Block UnpackBlock(BlockKey key, int depth)
@@ -89,7 +75,7 @@ std::size_t BlockOctree::LeafAt(const Vec3& position) const
     const double last = static_cast<double>((this->RootBlocks[k] << this->Depth) - 1);
     at[k] = static_cast<int>(std::clamp(std::floor(local[k]), 0.0, last));
   }
-  const BlockKey key = MortonCode(at) << LevelBits;
+  const BlockKey key = MortonCode(at[0], at[1], at[2]) << LevelBits;
   return LastLeafUpTo(this->Leaves, key);
 }
 
@@ -183,7 +169,7 @@ void BlockLocator::FindNeighbors(std::size_t leaf, std::int32_t neighbors[27]) c
     {
       const int x = block.Index[k] + d - 1;
       inside[k][d] = x >= 0 && x < this->Octree.RootBlocks[k] << block.Level;
-      part[k][d] = inside[k][d] ? Spread(static_cast<std::uint64_t>(x)) << k : 0;
+      part[k][d] = inside[k][d] ? SpreadBits(static_cast<std::uint64_t>(x)) << k : 0;
     }
   }
   for (int n = 0; n < 27; ++n)

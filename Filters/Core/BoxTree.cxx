@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxTree.h"
 
+#include "MortonCode.h"
+
 namespace featurehex
 {
 namespace
 {
-/// Spreads the low 21 bits to every third bit.
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffffULL;
-  x = (x | x << 16) & 0x1f0000ff0000ffULL;
-  x = (x | x << 8) & 0x100f00f00f00f00fULL;
-  x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
-  x = (x | x << 2) & 0x1249249249249249ULL;
-  return x;
-}
-
 void Join(Box& box, const Box& other)
 {
   box.Low = box.Low.cwiseMin(other.Low);
