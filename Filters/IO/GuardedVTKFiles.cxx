@@ -414,11 +414,6 @@ unsigned long ErrorCodeOf(const Status& status)
   }
 }
 
-Status NoFileName()
-{
-  return Status(StatusCode::InvalidOption, "FileName is not set.");
-}
-
 Status ReadVTKFile(const std::string& path, vtkPolyData* output)
 {
   return Read<vtkXMLPolyDataReader>(path, ".vtp", output);

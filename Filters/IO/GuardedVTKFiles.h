@@ -17,10 +17,14 @@ class vtkUnstructuredGrid;
 
 namespace featurehex
 {
-/// Runs @a work, which returns a Status; an exception becomes one too.
+/// Runs @a work, which returns a Status; a file name that is not set and an exception become one too.
 template <typename Work>
-Status Guarded(const Work& work)
+Status Guarded(const char* fileName, const Work& work)
 {
+  if (!fileName || !*fileName)
+  {
+    return Status(StatusCode::InvalidOption, "FileName is not set.");
+  }
   try
   {
     return work();
@@ -39,9 +43,6 @@ Status Guarded(const Work& work)
 /// For vtkAlgorithm::SetErrorCode(): a code of vtkErrorCode where one fits, else
 /// vtkErrorCode::UserError + StatusCode.
 unsigned long ErrorCodeOf(const Status& status);
-
-/// A file name that is not set.
-Status NoFileName();
 
 /// Reads .vtp, or legacy .vtk for any other extension, into @a output.
 /// Guaranteed of the result: every id of every cell in range, arrays as long as their points and

@@ -352,4 +352,22 @@ void GridFromMedit(const MeditMesh& mesh, bool boundary, vtkUnstructuredGrid* gr
     RestoreFeatures(mesh, grid);
   }
 }
+
+Status ReadMeditGrid(const std::string& path, bool boundary, vtkUnstructuredGrid* grid)
+{
+  MeditMesh mesh;
+  const Status status = ReadMedit(path, mesh);
+  if (status.Ok())
+  {
+    GridFromMedit(mesh, boundary, grid);
+  }
+  return status;
+}
+
+Status WriteMeditGrid(const std::string& path, vtkUnstructuredGrid* grid)
+{
+  MeditMesh mesh;
+  const Status status = MeditFromGrid(grid, mesh);
+  return status.Ok() ? WriteMedit(path, mesh) : status;
+}
 } // namespace featurehex

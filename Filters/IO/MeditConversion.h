@@ -7,6 +7,8 @@
 
 #include "MeditFile.h"
 
+#include <string>
+
 class vtkUnstructuredGrid;
 
 namespace featurehex
@@ -24,6 +26,12 @@ Status MeditFromGrid(vtkUnstructuredGrid* grid, MeditMesh& mesh);
 /// Hexahedra with Region, and, where the file has quads, features as above; with @a boundary also quads, lines and vertices, and PatchId and CurveId
 /// (-1 on other cells; Region is 0 on these).
 void GridFromMedit(const MeditMesh& mesh, bool boundary, vtkUnstructuredGrid* grid);
+
+/// ReadMedit() and GridFromMedit().
+Status ReadMeditGrid(const std::string& path, bool boundary, vtkUnstructuredGrid* grid);
+
+/// MeditFromGrid() and WriteMedit().
+Status WriteMeditGrid(const std::string& path, vtkUnstructuredGrid* grid);
 } // namespace featurehex
 
 #endif

@@ -89,10 +89,6 @@ void ToPolyData(const featurehex::FeatureGraph& graph, vtkPolyData* surface, vtk
 
 featurehex::Status ReadInto(const char* fileName, vtkPolyData* surface, vtkPolyData* output)
 {
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
   featurehex::FeatureGraph graph;
   featurehex::Status status =
     featurehex::ReadFeatureGraph(fileName, surface ? surface->GetNumberOfPoints() : -1, graph);
@@ -147,7 +143,7 @@ int vtkFeatureGraphReader::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   const featurehex::Status status =
-    featurehex::Guarded([&] { return ReadInto(this->FileName, surface, output); });
+    featurehex::Guarded(this->FileName, [&] { return ReadInto(this->FileName, surface, output); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

@@ -45,10 +45,6 @@ std::vector<featurehex::Index> SurfaceIds(vtkDataArray* array)
 
 featurehex::Status WriteFrom(const char* fileName, vtkPolyData* input)
 {
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
   vtkDataArray* array = input->GetPointData()->GetArray(featurehex::ArrayNames::SurfacePointId);
   if (!array && input->GetNumberOfPoints() > 0)
   {
@@ -106,7 +102,7 @@ void vtkFeatureGraphWriter::WriteData()
 {
   vtkPolyData* input = vtkPolyData::SafeDownCast(this->GetInput());
   const featurehex::Status status =
-    featurehex::Guarded([&] { return WriteFrom(this->FileName, input); });
+    featurehex::Guarded(this->FileName, [&] { return WriteFrom(this->FileName, input); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

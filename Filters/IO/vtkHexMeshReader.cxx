@@ -16,31 +16,17 @@ vtkStandardNewMacro(vtkHexMeshReader);
 
 namespace
 {
-featurehex::Status ReadMeditInto(const std::string& path, vtkUnstructuredGrid* output)
-{
-  featurehex::MeditMesh mesh;
-  featurehex::Status status = featurehex::ReadMedit(path, mesh);
-  if (status.Ok())
-  {
-    featurehex::GridFromMedit(mesh, false, output);
-  }
-  return status;
-}
-
 featurehex::Status ReadInto(const char* fileName, vtkUnstructuredGrid* output)
 {
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
   const std::string extension = featurehex::FileExtension(fileName);
   if (extension != ".mesh" && extension != ".vtu" && extension != ".vtk")
   {
     return featurehex::Status(featurehex::StatusCode::UnreadableFile,
       featurehex::FileBaseName(fileName) + ": volume meshes are read from .vtu, .vtk and .mesh.");
   }
-  featurehex::Status status = extension == ".mesh" ? ReadMeditInto(fileName, output)
-                                                   : featurehex::ReadVTKFile(fileName, output);
+  featurehex::Status status = extension == ".mesh"
+    ? featurehex::ReadMeditGrid(fileName, false, output)
+    : featurehex::ReadVTKFile(fileName, output);
   if (status.Ok() && output->GetNumberOfCells() == 0)
   {
     status = featurehex::Status(featurehex::StatusCode::EmptySurface,
@@ -81,7 +67,7 @@ int vtkHexMeshReader::RequestData(
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   const featurehex::Status status =
-    featurehex::Guarded([&] { return ReadInto(this->FileName, output); });
+    featurehex::Guarded(this->FileName, [&] { return ReadInto(this->FileName, output); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

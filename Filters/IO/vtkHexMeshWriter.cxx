@@ -17,10 +17,6 @@ namespace
 {
 featurehex::Status WriteFrom(const char* fileName, vtkUnstructuredGrid* input)
 {
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
   const std::string extension = featurehex::FileExtension(fileName);
   if (input->GetNumberOfCells() == 0)
   {
@@ -36,9 +32,7 @@ featurehex::Status WriteFrom(const char* fileName, vtkUnstructuredGrid* input)
       std::string("Can't write \"") + fileName +
         "\": volume meshes are written as .vtu, .vtk or .mesh.");
   }
-  featurehex::MeditMesh mesh;
-  featurehex::Status status = featurehex::MeditFromGrid(input, mesh);
-  return status.Ok() ? featurehex::WriteMedit(fileName, mesh) : status;
+  return featurehex::WriteMeditGrid(fileName, input);
 }
 } // namespace
 
@@ -59,7 +53,7 @@ void vtkHexMeshWriter::WriteData()
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   const featurehex::Status status =
-    featurehex::Guarded([&] { return WriteFrom(this->FileName, input); });
+    featurehex::Guarded(this->FileName, [&] { return WriteFrom(this->FileName, input); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

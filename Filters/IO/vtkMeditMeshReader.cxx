@@ -17,20 +17,10 @@ namespace
 {
 featurehex::Status ReadInto(const char* fileName, bool boundary, vtkUnstructuredGrid* output)
 {
-  if (!fileName || !*fileName)
+  featurehex::Status status = featurehex::ReadMeditGrid(fileName, boundary, output);
+  if (status.Ok() && output->GetNumberOfCells() == 0)
   {
-    return featurehex::NoFileName();
-  }
-  featurehex::MeditMesh mesh;
-  featurehex::Status status = featurehex::ReadMedit(fileName, mesh);
-  if (!status.Ok())
-  {
-    return status;
-  }
-  featurehex::GridFromMedit(mesh, boundary, output);
-  if (output->GetNumberOfCells() == 0)
-  {
-    return featurehex::Status(featurehex::StatusCode::EmptySurface,
+    status = featurehex::Status(featurehex::StatusCode::EmptySurface,
       featurehex::FileBaseName(fileName) + ": the file has no hexahedra" +
         (boundary ? " and no boundary elements." : ". BoundaryElements reads its other elements."));
   }
@@ -64,8 +54,8 @@ int vtkMeditMeshReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  const featurehex::Status status =
-    featurehex::Guarded([&] { return ReadInto(this->FileName, this->BoundaryElements, output); });
+  const featurehex::Status status = featurehex::Guarded(
+    this->FileName, [&] { return ReadInto(this->FileName, this->BoundaryElements, output); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

@@ -10,20 +10,6 @@
 
 vtkStandardNewMacro(vtkMeditMeshWriter);
 
-namespace
-{
-featurehex::Status WriteFrom(const char* fileName, vtkUnstructuredGrid* input)
-{
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
-  featurehex::MeditMesh mesh;
-  featurehex::Status status = featurehex::MeditFromGrid(input, mesh);
-  return status.Ok() ? featurehex::WriteMedit(fileName, mesh) : status;
-}
-} // namespace
-
 vtkMeditMeshWriter::vtkMeditMeshWriter() = default;
 
 vtkMeditMeshWriter::~vtkMeditMeshWriter()
@@ -40,8 +26,8 @@ int vtkMeditMeshWriter::FillInputPortInformation(int, vtkInformation* info)
 void vtkMeditMeshWriter::WriteData()
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
-  const featurehex::Status status =
-    featurehex::Guarded([&] { return WriteFrom(this->FileName, input); });
+  const featurehex::Status status = featurehex::Guarded(
+    this->FileName, [&] { return featurehex::WriteMeditGrid(this->FileName, input); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {

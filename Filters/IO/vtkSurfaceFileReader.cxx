@@ -60,10 +60,6 @@ featurehex::Status ReadVTKSurface(const std::string& path, vtkPolyData* output)
 
 featurehex::Status ReadInto(const char* fileName, vtkPolyData* output)
 {
-  if (!fileName || !*fileName)
-  {
-    return featurehex::NoFileName();
-  }
   if (IsVTKFile(fileName))
   {
     return ReadVTKSurface(fileName, output);
@@ -104,7 +100,7 @@ int vtkSurfaceFileReader::RequestData(
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const featurehex::Status status =
-    featurehex::Guarded([&] { return ReadInto(this->FileName, output); });
+    featurehex::Guarded(this->FileName, [&] { return ReadInto(this->FileName, output); });
   this->SetErrorCode(featurehex::ErrorCodeOf(status));
   if (!status.Ok())
   {
