@@ -16,8 +16,8 @@ constexpr const char* FeatureId = "FeatureId";     ///< patch, curve or corner; 
 
 // Cells of hex meshes.
 constexpr const char* Region = "Region";                 ///< 0 outside, 1... body
-/// Halvings of the target edge length: 0 cells of that length, 1 of half, -1 of twice. Cells of octrees
-/// and hex meshes; points: refinement points ask for it.
+/// Halvings of the target edge length: 0 cells of that length, 1 of half, -1 of twice. Cells of
+/// octrees and hex meshes; points: refinement points ask for it.
 constexpr const char* Level = "Level";
 constexpr const char* ScaledJacobian = "ScaledJacobian"; ///< smallest of the 8 corners
 constexpr const char* Certified = "Certified"; ///< 1: Jacobian proven positive in the whole hex
@@ -57,8 +57,8 @@ constexpr const char* OctreeBaseLevel = "OctreeBaseLevel"; ///< of the target ed
 
 // Field data of octrees and hex meshes.
 constexpr const char* TargetEdgeLength = "TargetEdgeLength"; ///< model units
-/// Of an output that is empty because a filter failed: code and message. Filters after it pass it on
-/// instead of complaining about their empty input.
+/// Of an output that is empty because a filter failed: code and message. Filters after it pass it
+/// on instead of complaining about their empty input.
 constexpr const char* Error = "FeatureHexError";
 
 // Field data of hex meshes with features. Ids are those of the mesh's points.

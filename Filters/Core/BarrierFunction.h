@@ -15,8 +15,8 @@ struct BarrierValue
   double Value = 0, First = 0, Second = 0;
 };
 
-/// phi(s) = -(1 - u)^2 ln u with u = (s - floor) / (theta - floor); 0 for s >= theta, infinite at the
-/// floor, twice continuously differentiable.
+/// phi(s) = -(1 - u)^2 ln u with u = (s - floor) / (theta - floor); 0 for s >= theta, infinite at
+/// the floor, twice continuously differentiable.
 inline BarrierValue Barrier(double s, double floor, double theta)
 {
   BarrierValue phi;

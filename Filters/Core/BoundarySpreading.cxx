@@ -46,7 +46,8 @@ std::vector<Index> VerticesAround(const HexStars& stars, const std::vector<Index
   return vertices;
 }
 
-/// For each vertex those that draw it: at the ends of its boundary edges, on a curve before and after it.
+/// For each vertex those that draw it: at the ends of its boundary edges, on a curve before and
+/// after it.
 std::vector<std::vector<Index>> NeighborsOf(
   const HexStars& stars, const FeatureTargets& features, const std::vector<Index>& vertices)
 {
@@ -74,7 +75,8 @@ std::vector<std::vector<Index>> NeighborsOf(
   return neighbors;
 }
 
-/// Closest point of the patches of the quads round a vertex: more than one where no curve parts them.
+/// Closest point of the patches of the quads round a vertex: more than one where no curve parts
+/// them.
 Vec3 OnPatches(const HexStars& stars, const FeatureTargets& features, Index vertex, const Vec3& p)
 {
   TrianglePoint best;

@@ -31,7 +31,8 @@ constexpr double MaximumTargetTriangles = 1.5e6;
 /// Pieces of all elements together; a measure of the longest possible time (about 2 us each).
 constexpr std::int64_t TotalBudget = 60000000;
 
-/// Large triangles are cut until there are about so many elements, for parallelism and for the mean.
+/// Large triangles are cut until there are about so many elements, for parallelism and for the
+/// mean.
 constexpr double LeastElements = 20000;
 
 /// Elements of one side with what is known about them.
@@ -50,8 +51,8 @@ struct Elements
   int Count(std::size_t e) const { return this->Corner[e][3] < 0 ? 3 : 4; }
 };
 
-/// body(begin, end) over blocks of at most @a block items, in some 20 batches so that the monitor is
-/// asked in between. False: stopped.
+/// body(begin, end) over blocks of at most @a block items, in some 20 batches so that the monitor
+/// is asked in between. False: stopped.
 bool ParallelBlocks(std::size_t count, std::size_t block, double from, double to, Monitor& monitor,
   const std::function<void(std::size_t, std::size_t)>& body)
 {
@@ -238,8 +239,8 @@ DistancePiece RootPiece(const Elements& elements, std::size_t e)
 }
 
 /// Bounds of the elements @a ids.
-bool BoundSome(const DistanceTarget& target, Elements& elements, const std::vector<std::size_t>& ids,
-  const DistanceGoal& goal, Monitor& monitor)
+bool BoundSome(const DistanceTarget& target, Elements& elements,
+  const std::vector<std::size_t>& ids, const DistanceGoal& goal, Monitor& monitor)
 {
   return ParallelBlocks(
     ids.size(), 16, 0.0, 1.0, monitor, [&](std::size_t begin, std::size_t end) {
@@ -262,8 +263,8 @@ std::int64_t BudgetOf(std::int64_t pieces, std::size_t elements)
   return std::clamp<std::int64_t>(pieces / count, 1000, 1000000);
 }
 
-/// Most elements need few pieces. When a value is wanted, those that need more, where a large triangle lies on a fine
-/// part of the mesh, start again with what the others left.
+/// Most elements need few pieces. When a value is wanted, those that need more, where a large
+/// triangle lies on a fine part of the mesh, start again with what the others left.
 bool BoundAll(
   const DistanceTarget& target, Elements& elements, DistanceGoal goal, Monitor& monitor)
 {

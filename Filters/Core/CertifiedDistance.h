@@ -42,8 +42,8 @@ struct DistanceBounds
 {
   DirectedDistance MeshToSurface;
   DirectedDistance SurfaceToMesh;
-  /// Per quad: proven bound of the distance of its points to the surface. No tighter than needed: may
-  /// be as large as the greatest deviation of the mesh where the quad's own is smaller.
+  /// Per quad: proven bound of the distance of its points to the surface. No tighter than needed:
+  /// may be as large as the greatest deviation of the mesh where the quad's own is smaller.
   std::vector<double> Deviation;
   std::vector<double> DeviationFound; ///< per quad: greatest distance of a point looked at
   double SplitError = 0.0; ///< greatest distance of a patch from the triangles that stand for it
@@ -59,25 +59,28 @@ struct DistanceDecision
 {
   bool Within = false; ///< proven in both directions
   std::vector<DistanceWitness> Quads;     ///< points of the mesh that are not within, by quad
-  std::vector<DistanceWitness> Triangles; ///< points of the surface that are not within, by triangle
+  /// Points of the surface that are not within, by triangle.
+  std::vector<DistanceWitness> Triangles;
 };
 
 /// Distances to one surface; build it once and ask for many meshes.
 ///
 /// Method (design.md section 5): the distance to a convex triangle is a convex function, so over a
-/// piece of surface it is greatest at a corner of the piece's convex hull; a bilinear patch lies in the
-/// hull of its four corners. For corners v_i a piece is no farther than min over candidate triangles
-/// t of max_i d(v_i, t), nor than max_i d(v_i) + R, R the radius of a ball around the corners (distances
-/// are 1-Lipschitz). Pieces whose bound is not good enough are cut: in halves, or along the prism over
-/// the nearest triangle, inside which the first bound is tight. For the direction to the mesh every
-/// patch is split into triangles at most SplitError away, which is included in both bounds.
+/// piece of surface it is greatest at a corner of the piece's convex hull; a bilinear patch lies in
+/// the hull of its four corners. For corners v_i a piece is no farther than min over candidate
+/// triangles t of max_i d(v_i, t), nor than max_i d(v_i) + R, R the radius of a ball around the
+/// corners (distances are 1-Lipschitz). Pieces whose bound is not good enough are cut: in halves,
+/// or along the prism over the nearest triangle, inside which the first bound is tight. For the
+/// direction to the mesh every patch is split into triangles at most SplitError away, which is
+/// included in both bounds.
 /// Branch and bound for the value: L. Sacht, A. Jacobson, "Cascading upper bounds for triangle soup
 /// Pompeiu-Hausdorff distance", Computer Graphics Forum 43(5), 2024, doi 10.1111/cgf.15129.
 ///
 /// Always ends: each element has a budget of pieces; what is unproven then keeps its bound and the
 /// result is not converged. Parallel over elements, which don't exchange bounds: the same bits for
 /// any number of threads. When @a monitor stops, the result is neither converged nor within.
-/// Coordinates are recentred. 1e-12 of the surface's diagonal is added to the upper bounds for rounding.
+/// Coordinates are recentred. 1e-12 of the surface's diagonal is added to the upper bounds for
+/// rounding.
 class CertifiedDistance
 {
 public:

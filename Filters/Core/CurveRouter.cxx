@@ -12,7 +12,8 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 constexpr Index CornerOwner = -2;
-constexpr double DistancePrice = 2.0; // of an edge one edge length away from the curve, per its length
+/// Of an edge one edge length away from the curve, per its length.
+constexpr double DistancePrice = 2.0;
 constexpr double ArcSlack = 2.0;      // progress along the curve per edge length at most
 constexpr double SpokePrice = 1.0;    // edge lengths per dart away from the preferred one
 constexpr double ReservedPrice = 1.5; // edge lengths
@@ -20,7 +21,8 @@ constexpr double OwnedPrice = 4.0;    // edge lengths: a vertex of another path 
 constexpr int LegsOfLoop = 3;
 constexpr double WideReach = 2.4; // of the usual reach, when it is not enough
 
-/// Price of a turn with so many quads on one side, in edge lengths. One quad there would have a straight angle.
+/// Price of a turn with so many quads on one side, in edge lengths. One quad there would have a
+/// straight angle.
 double SidePrice(int quads)
 {
   constexpr double prices[] = { 10.0, 0.4, 0.0, 0.05, 0.3, 0.8 };
@@ -162,7 +164,8 @@ int CurveRouter::SpokeOf(Index corner, Index curve, bool atEnd) const
   return -1;
 }
 
-/// Price of leaving the corner through @a dart, in edge lengths; 1e300 when the routed spokes leave no place for it.
+/// Price of leaving the corner through @a dart, in edge lengths; 1e300 when the routed spokes leave
+/// no place for it.
 double CurveRouter::SpokeCost(Index corner, int spoke, Index dart) const
 {
   const std::vector<Index>& taken = this->Taken[corner];
@@ -388,7 +391,8 @@ bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<I
   {
     Leg leg = { c, curve.Length() * i / legs, curve.Length() * (i + 1) / legs, stops[i],
       stops[i + 1] };
-    leg.FirstSpoke = i == 0 && curve.FirstCorner >= 0 ? this->SpokeOf(curve.FirstCorner, c, false) : -1;
+    leg.FirstSpoke =
+      i == 0 && curve.FirstCorner >= 0 ? this->SpokeOf(curve.FirstCorner, c, false) : -1;
     leg.LastSpoke =
       i + 1 == legs && curve.LastCorner >= 0 ? this->SpokeOf(curve.LastCorner, c, true) : -1;
     leg.Incoming = i > 0 ? path.back() : -1;
@@ -413,7 +417,8 @@ bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<I
   return found;
 }
 
-/// The stops of a loop were chosen blindly: routes once more from the middle of one leg to the middle of the next.
+/// The stops of a loop were chosen blindly: routes once more from the middle of one leg to the
+/// middle of the next.
 void CurveRouter::SmoothJunction(
   Index c, double arc, std::vector<Index>& path, bool relaxed, bool loop)
 {
@@ -571,9 +576,12 @@ std::vector<Index> CurveRouter::RouteAll(int maximumAttempts)
     (placed(curves[c].FirstCorner) && placed(curves[c].LastCorner) ? order : failed).push_back(c);
   }
   // Short curves have the least choice.
-  std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return curves[a].Length() != curves[b].Length() ? curves[a].Length() < curves[b].Length() : a < b;
-  });
+  std::sort(order.begin(), order.end(),
+    [&](Index a, Index b)
+    {
+      return curves[a].Length() != curves[b].Length() ? curves[a].Length() < curves[b].Length()
+                                                      : a < b;
+    });
   std::deque<Index> queue(order.begin(), order.end());
   std::vector<int> attempts(curves.size(), 0);
   while (!queue.empty())

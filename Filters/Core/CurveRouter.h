@@ -11,13 +11,13 @@
 
 namespace featurehex
 {
-/// Routes curves one after the other; each path is a wall for the later ones. A curve that finds no way takes it
-/// from others, which are routed again.
+/// Routes curves one after the other; each path is a wall for the later ones. A curve that finds no
+/// way takes it from others, which are routed again.
 class CurveRouter
 {
 public:
-  /// Keeps references. @a cornerVertices: interface vertex of each corner, -1: none. @a reach: in local
-  /// edge lengths.
+  /// Keeps references. @a cornerVertices: interface vertex of each corner, -1: none. @a reach: in
+  /// local edge lengths.
   CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph,
     const FeatureGeometry& geometry, const std::vector<Index>& cornerVertices, double reach);
 
@@ -33,9 +33,9 @@ public:
   /// Mean length of the edges at a vertex.
   double SizeAt(Index vertex) const { return this->Sizes[vertex]; }
 
-  /// Darts for the spokes of a corner's fan that keep their cyclic order and fit their directions and
-  /// angles best, if the corner were at @a vertex; empty when the vertex has too few edges. @a cost: how well they fit, 0
-  /// perfect.
+  /// Darts for the spokes of a corner's fan that keep their cyclic order and fit their directions
+  /// and angles best, if the corner were at @a vertex; empty when the vertex has too few edges.
+  /// @a cost: how well they fit, 0 perfect.
   std::vector<Index> ArrangeSpokes(Index corner, Index vertex, double& cost) const;
 
 private:
@@ -61,7 +61,8 @@ private:
   double CurrentReach;
   std::vector<double> Sizes;
   std::vector<Index> Owner;      ///< of each vertex: curve, -1 free, -2 a corner
-  std::vector<Index> ReservedBy; ///< curve that would like to leave its corner through the vertex, -1
+  /// Curve that would like to leave its corner through the vertex; -1: none.
+  std::vector<Index> ReservedBy;
   std::vector<double> History;   ///< how often a vertex was contested
   std::vector<std::vector<Index>> Preferred; ///< dart of each spoke of each corner
   std::vector<std::vector<Index>> Taken;     ///< dart of each routed spoke of each corner, -1

@@ -10,7 +10,8 @@ namespace featurehex
 {
 namespace
 {
-/// Pieces larger than this many times the nearest triangle are halved, smaller ones cut along its prism.
+/// Pieces larger than this many times the nearest triangle are halved, smaller ones cut along its
+/// prism.
 constexpr double PrismSize = 3.0;
 
 /// A cut leaves at least this share of an edge on each side.
@@ -39,8 +40,8 @@ double LongestSide(const DistancePiece& p, int& from, int& to)
 }
 
 /// Every point of the hull is this near to some corner: sum of l_i |x - v_i|^2 = sum of
-/// l_i |c - v_i|^2 - |x - c|^2 <= R^2 for the ball (c, R) around the corners. Jung's theorem and the
-/// ball around the centroid bound R.
+/// l_i |c - v_i|^2 - |x - c|^2 <= R^2 for the ball (c, R) around the corners. Jung's theorem and
+/// the ball around the centroid bound R.
 double CoveringRadius(const DistancePiece& p)
 {
   int from = 0, to = 0;
@@ -155,7 +156,8 @@ void PlaceBetween(const DistanceTarget& target, const DistancePiece& p, int i, i
 }
 
 /// Where a wall of the prism over triangle p.Best cuts an edge of the piece best.
-bool FindWall(const DistanceTarget& target, const DistancePiece& p, int& from, int& to, double& share)
+bool FindWall(
+  const DistanceTarget& target, const DistancePiece& p, int& from, int& to, double& share)
 {
   const Triangle& t = target.Search->Triangles()[p.Best];
   const Vec3& normal = target.Search->Normal(p.Best);

@@ -19,13 +19,15 @@ namespace featurehex
 struct DistanceTarget
 {
   const TriangleSearch* Search = nullptr;
-  std::vector<double> Slack; ///< the true surface is within this distance of each triangle; empty: 0
+  /// The true surface is within this distance of each triangle; empty: 0.
+  std::vector<double> Slack;
   double LargestSlack = 0.0;
 
   double SlackOf(Index triangle) const { return this->Slack.empty() ? 0.0 : this->Slack[triangle]; }
 };
 
-/// A piece of an element: a triangle (3 corners), or the bilinear patch of 4 corners in cyclic order.
+/// A piece of an element: a triangle (3 corners), or the bilinear patch of 4 corners in cyclic
+/// order.
 struct DistancePiece
 {
   int Count = 0;
@@ -45,7 +47,8 @@ struct DistanceGoal
   bool Decide = false;    ///< stop at the first point beyond GiveUp
   double Accept = 0.0;    ///< pieces with a bound up to this need no more work
   double GiveUp = 0.0;    ///< a point farther than this makes the decision: no
-  double Gap = 0.0;       ///< so far may a bound exceed the greatest distance found (value, not decision)
+  /// So far may a bound exceed the greatest distance found (value, not decision).
+  double Gap = 0.0;
   double Flat = 0.0;      ///< patches flatter than this may be treated as two triangles
   double Tiny = 0.0;      ///< pieces of this radius aren't cut any more
   std::int64_t Budget = 0; ///< pieces
@@ -84,10 +87,11 @@ struct ElementDistance
   }
 };
 
-/// Bound of the distance, both ways, between a bilinear patch and triangles on its corners: two, or four round its middle.
-/// With the same parameters they differ by at most @a share of its twist (1/4 for two, 1/16 for four). And where the patch seen along
-/// the normal of its diagonals is convex, both are graphs over the same region whose heights lie within |n . twist| / 4 of its middle:
-/// a flat patch may be as skew as it likes.
+/// Bound of the distance, both ways, between a bilinear patch and triangles on its corners: two, or
+/// four round its middle. With the same parameters they differ by at most @a share of its twist
+/// (1/4 for two, 1/16 for four). And where the patch seen along the normal of its diagonals is
+/// convex, both are graphs over the same region whose heights lie within |n . twist| / 4 of its
+/// middle: a flat patch may be as skew as it likes.
 double TriangleError(const Vec3* corners, double share);
 
 /// Bounds the distance of the true element of @a root until @a goal is met; @a result holds what

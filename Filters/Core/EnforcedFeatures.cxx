@@ -154,7 +154,8 @@ bool EnforcedFeatures::GiveUpLoose(const std::set<FeatureName>& features)
     {
       add(id);
     }
-    for (std::size_t i = 0; kind == FeatureKind::Corner && i < this->Current->Fans()[id].Spokes.size(); ++i)
+    for (std::size_t i = 0;
+         kind == FeatureKind::Corner && i < this->Current->Fans()[id].Spokes.size(); ++i)
     {
       add(this->Current->Fans()[id].Spokes[i].Curve);
     }

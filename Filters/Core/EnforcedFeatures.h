@@ -20,19 +20,20 @@ using FeatureName = std::pair<FeatureKind, Index>;
 std::set<FeatureName> FeaturesAt(
   const HexMesh& mesh, const std::vector<Index>& hexes, const FeatureLabels& labels);
 
-/// Where curves and patches that @a report calls BeyondTolerance and their chains and quads are farther apart than
-/// @a distance (model units), sampled. The boundary as a whole may be nearer: the surface beyond a crease counts there,
-/// not here. @a quads: the boundary.
+/// Where curves and patches that @a report calls BeyondTolerance and their chains and quads are
+/// farther apart than @a distance (model units), sampled. The boundary as a whole may be nearer:
+/// the surface beyond a crease counts there, not here. @a quads: the boundary.
 std::vector<Vec3> FeaturePlacesBeyond(const HexMesh& mesh, const std::vector<Quad>& quads,
   const HexFeatures& features, const FeatureGeometry& geometry,
   const FeatureValidationReport& report, double distance);
 
-/// The features that a mesh shall have. What fails again and again is given up: a mesh without it, which says so, is
-/// worth more than none.
+/// The features that a mesh shall have. What fails again and again is given up: a mesh without it,
+/// which says so, is worth more than none.
 class EnforcedFeatures
 {
 public:
-  /// All features without a flaw, or those that are left; keeps the references. @a trim: see FeatureGeometry.
+  /// All features without a flaw, or those that are left; keeps the references. @a trim: see
+  /// FeatureGeometry.
   void Build(const SurfaceMesh& surface, const SurfaceFeatures& features, double trim);
 
   /// For the next geometry.
@@ -41,12 +42,12 @@ public:
   /// Null without features.
   const FeatureGeometry* Geometry() const { return this->Current.get(); }
 
-  /// Counts failures; what has failed in @a patience rounds is given up (of a patch, the curves round it). True: there
-  /// are such, and Geometry() is a new one.
+  /// Counts failures; what has failed in @a patience rounds is given up (of a patch, the curves
+  /// round it). True: there are such, and Geometry() is a new one.
   bool GiveUp(const std::set<FeatureName>& failed, int patience);
 
-  /// Gives up loose curves among these features and at these corners: curves with the same patch on both sides, which
-  /// bound nothing. True: there are such, and Geometry() is a new one.
+  /// Gives up loose curves among these features and at these corners: curves with the same patch on
+  /// both sides, which bound nothing. True: there are such, and Geometry() is a new one.
   bool GiveUpLoose(const std::set<FeatureName>& features);
 
 private:

@@ -197,8 +197,9 @@ Status Selection::DropRedundant(SurfaceFeatures& features)
     this->Options.RedundantDistance * BoundingBox(this->Surface).Diagonal();
   for (;;)
   {
-    const std::vector<Index> redundant =
-      this->Graph.EnforceAll ? std::vector<Index>() : FindRedundantCurves(this->Surface, features, distance);
+    const std::vector<Index> redundant = this->Graph.EnforceAll
+                                           ? std::vector<Index>()
+                                           : FindRedundantCurves(this->Surface, features, distance);
     if (redundant.empty())
     {
       return Status();

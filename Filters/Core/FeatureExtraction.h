@@ -34,8 +34,8 @@ struct FeatureExtractionOptions
   AnnotationMode Mode = AnnotationMode::Replace;
   /// True: gaps are closed and spurs dropped in what the annotation gives, too.
   bool CleanUpAnnotation = false;
-  /// Curves so near to others along their whole length are dropped, fraction of the diagonal of the bounding box:
-  /// see FindRedundantCurves(). Not with Graph.EnforceAll. 0: none.
+  /// Curves so near to others along their whole length are dropped, fraction of the diagonal of the
+  /// bounding box: see FindRedundantCurves(). Not with Graph.EnforceAll. 0: none.
   double RedundantDistance = 5e-4;
   FeatureDetectionOptions Detection;
   FeatureGraphOptions Graph;

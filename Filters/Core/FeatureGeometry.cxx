@@ -19,7 +19,8 @@ std::vector<Vec3> Cut(const std::vector<Vec3>& points, double from, double to)
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
     const double length = (points[i + 1] - points[i]).norm();
-    const auto at = [&](double s) { return Vec3(points[i] + (s - arc) / length * (points[i + 1] - points[i])); };
+    const auto at = [&](double s)
+    { return Vec3(points[i] + (s - arc) / length * (points[i + 1] - points[i])); };
     if (length > 0 && arc + length > from && arc < to)
     {
       if (result.empty())
@@ -58,8 +59,8 @@ Vec3 EnforcedCurve::At(double arc) const
     arc -= std::floor(arc / this->Length()) * this->Length();
   }
   const auto next = std::upper_bound(this->Arcs.begin(), this->Arcs.end(), arc);
-  const std::size_t i =
-    std::clamp<std::ptrdiff_t>(next - this->Arcs.begin(), 1, static_cast<std::ptrdiff_t>(this->Arcs.size()) - 1);
+  const std::size_t i = std::clamp<std::ptrdiff_t>(
+    next - this->Arcs.begin(), 1, static_cast<std::ptrdiff_t>(this->Arcs.size()) - 1);
   const double length = this->Arcs[i] - this->Arcs[i - 1];
   const double t = length > 0 ? std::clamp((arc - this->Arcs[i - 1]) / length, 0.0, 1.0) : 0.0;
   return this->Points[i - 1] + t * (this->Points[i] - this->Points[i - 1]);

@@ -22,7 +22,8 @@ struct CurvePoint
   double Arc = 0.0; ///< length of the curve up to the point
 };
 
-/// A polyline that a chain of mesh edges has to follow. At a corner that is not enforced it is cut short.
+/// A polyline that a chain of mesh edges has to follow. At a corner that is not enforced it is cut
+/// short.
 struct EnforcedCurve
 {
   std::vector<Vec3> Points;  ///< empty: nothing of the curve is enforced
@@ -67,9 +68,10 @@ constexpr double TrimCells = 3.0;
 class FeatureGeometry
 {
 public:
-  /// @a trim: length (model units) by which curves are cut short at corners that are not enforced. The
-  /// patches round such a corner are merged: nothing separates them there; so are those beside a curve that is
-  /// given up. @a givenUp: corners and curves that are not enforced although they have no flaw.
+  /// @a trim: length (model units) by which curves are cut short at corners that are not enforced.
+  /// The patches round such a corner are merged: nothing separates them there; so are those beside
+  /// a curve that is given up. @a givenUp: corners and curves that are not enforced although they
+  /// have no flaw.
   FeatureGeometry(const SurfaceMesh& surface, const SurfaceFeatures& features, double trim,
     const GivenUpFeatures& givenUp = GivenUpFeatures());
 

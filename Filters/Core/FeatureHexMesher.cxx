@@ -29,14 +29,17 @@ namespace
 {
 constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
-constexpr double AcceptableShare = 0.8;  // of the wanted minimum scaled Jacobian: below, cells get finer
+/// Of the wanted minimum scaled Jacobian: below, cells get finer.
+constexpr double AcceptableShare = 0.8;
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
-constexpr double AcceptableFeatureShare = 0.5; // as AcceptableShare, where creases bound the quality
+/// As AcceptableShare, where creases bound the quality.
+constexpr double AcceptableFeatureShare = 0.5;
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
-constexpr double LooseShare = 0.2; // of the wanted minimum: below, curves that bound no patch are given up
+/// Of the wanted minimum: below, curves that bound no patch are given up.
+constexpr double LooseShare = 0.2;
 
 /// Adds the wall time between construction and destruction to a stage.
 class StageClock
@@ -182,8 +185,9 @@ Status Mesher::CheckOptions() const
   return Status();
 }
 
-/// A surface far from the origin has few bits left for its shape: all stages work near the origin. The shift is a
-/// multiple of the spacing of its coordinates, so that no point of the surface is rounded.
+/// A surface far from the origin has few bits left for its shape: all stages work near the origin.
+/// The shift is a multiple of the spacing of its coordinates, so that no point of the surface is
+/// rounded.
 void Mesher::MoveToOrigin(SurfaceMesh& surface)
 {
   const Box box = BoundingBox(surface);
@@ -298,8 +302,8 @@ void Mesher::PrepareSizing()
   this->Points.insert(this->Points.end(), points.begin(), points.end());
 }
 
-/// Adds refinement points one level below the cells at @a places. When nothing can be refined there any more, or
-/// rounds run out, all cells are halved, once; then it fails with @a reason.
+/// Adds refinement points one level below the cells at @a places. When nothing can be refined there
+/// any more, or rounds run out, all cells are halved, once; then it fails with @a reason.
 Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   const std::vector<Vec3>& places, Status& status)
 {
@@ -402,8 +406,8 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
   }
   if (!places.empty() && this->Round + 1 < this->LastRound)
   {
-    const Outcome outcome =
-      this->Refine("Parts of the surface have no hexes near them", StatusCode::Distance, places, status);
+    const Outcome outcome = this->Refine(
+      "Parts of the surface have no hexes near them", StatusCode::Distance, places, status);
     if (outcome == Outcome::Refine)
     {
       return outcome;
@@ -420,13 +424,15 @@ std::set<FeatureName> Mesher::FeaturesAt(const std::vector<Index>& hexes) const
     this->Body.Mesh, hexes, FeatureLabels(this->Features, this->Stars));
 }
 
-/// Loose curves that hold the quality far down: what the rest of the surface could have is not spoilt for them.
+/// Loose curves that hold the quality far down: what the rest of the surface could have is not
+/// spoilt for them.
 bool Mesher::GiveUpSpoilers()
 {
   std::vector<Index> bad;
   for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
   {
-    if (this->Result.Validation.ScaledJacobians[h] < LooseShare * this->Options.MinimumScaledJacobian)
+    if (this->Result.Validation.ScaledJacobians[h] <
+        LooseShare * this->Options.MinimumScaledJacobian)
     {
       bad.push_back(static_cast<Index>(h));
     }
@@ -486,7 +492,8 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
     }
     if (this->Enforced.Geometry())
     {
-      PadDegenerateQuads(this->Body, this->Features, *this->Enforced.Geometry(), LocalPaddingOptions());
+      PadDegenerateQuads(
+        this->Body, this->Features, *this->Enforced.Geometry(), LocalPaddingOptions());
     }
     status = CheckStageOutput({ "padding", StagePromise::Conforming }, this->Body.Mesh);
     if (!status.Ok())
@@ -511,7 +518,8 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   if (status.Ok() && report.InvertedAfter > 0)
   {
     const std::vector<Index> inverted = InvertedHexes(this->Body.Mesh);
-    if (this->Enforced.Geometry() && this->Enforced.GiveUp(this->FeaturesAt(inverted), PatientRounds))
+    if (this->Enforced.Geometry() &&
+        this->Enforced.GiveUp(this->FeaturesAt(inverted), PatientRounds))
     {
       const Outcome outcome = this->MapFeatures(status);
       return outcome == Outcome::Done ? this->BuildBody(status) : outcome;
@@ -604,7 +612,8 @@ Mesher::Outcome Mesher::Validate(Status& status)
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }
 
-/// A valid mesh may have edges and quads that leave their own curve or patch by more than the tolerance: finer cells there.
+/// A valid mesh may have edges and quads that leave their own curve or patch by more than the
+/// tolerance: finer cells there.
 Mesher::Outcome Mesher::FollowFeatures(Status& status)
 {
   this->KeepBest();
@@ -620,8 +629,9 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
   {
     return Outcome::Done;
   }
-  const Outcome outcome = this->Refine("Feature curves or patches are left by more than the tolerance",
-    StatusCode::Features, places, status);
+  const Outcome outcome =
+    this->Refine("Feature curves or patches are left by more than the tolerance",
+      StatusCode::Features, places, status);
   if (outcome == Outcome::Failed)
   {
     status = Status(); // the mesh is valid
@@ -630,7 +640,8 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
   return outcome;
 }
 
-/// A valid mesh whose worst hex is stuck far below the wanted quality gets finer cells there, a few times.
+/// A valid mesh whose worst hex is stuck far below the wanted quality gets finer cells there, a few
+/// times.
 Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   const double minimum = this->Result.Validation.Quality.Minimum;
@@ -647,7 +658,8 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   {
     return Outcome::Done;
   }
-  // Only the hexes that hold the minimum down: the others below the wanted value had no chance to rise yet.
+  // Only the hexes that hold the minimum down: the others below the wanted value had no chance to
+  // rise yet.
   std::vector<Vec3> places;
   for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
   {
@@ -710,8 +722,8 @@ Mesher::Outcome Mesher::RunRound(int round, Status& status)
 {
   this->Round = round;
   this->Result.Rounds.emplace_back();
-  for (const auto stage : { &Mesher::BuildDomain, &Mesher::MapFeatures, &Mesher::BuildBody, &Mesher::Fit,
-         &Mesher::Validate, &Mesher::FollowFeatures, &Mesher::RaiseQuality })
+  for (const auto stage : { &Mesher::BuildDomain, &Mesher::MapFeatures, &Mesher::BuildBody,
+         &Mesher::Fit, &Mesher::Validate, &Mesher::FollowFeatures, &Mesher::RaiseQuality })
   {
     const Outcome outcome = (this->*stage)(status);
     if (outcome != Outcome::Done)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The whole method: from a triangle surface to a hex mesh that keeps every promise (design 1, 3.10).
+/// The whole method: from a triangle surface to a hex mesh that keeps every promise (design 1,
+/// 3.10).
 
 #ifndef featurehex_FeatureHexMesher_h
 #define featurehex_FeatureHexMesher_h
@@ -37,7 +38,8 @@ struct FeatureInput
 struct MeshingOptions
 {
   FeatureInput Features;
-  /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the bounding box.
+  /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the
+  /// bounding box.
   double Tolerance = 0.005;
   /// Cell size at the surface, model units; 0: longest side of the bounding box / 26, with
   /// sharp features / 18.
@@ -84,7 +86,8 @@ struct MeshingResult
   std::vector<StageTiming> Timings;
 };
 
-/// Runs all stages with the refinement loop. When the status is not Ok, the mesh of the result is empty.
+/// Runs all stages with the refinement loop. When the status is not Ok, the mesh of the result is
+/// empty.
 Status MeshSurface(const SurfaceMesh& surface, const MeshingOptions& options, Monitor& monitor,
   MeshingResult& result);
 }

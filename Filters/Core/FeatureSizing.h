@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// How small the cells have to be at sharp features so that each gets its own mesh edges (design 3.2).
+/// How small the cells have to be at sharp features so that each gets its own mesh edges
+/// (design 3.2).
 
 #ifndef featurehex_FeatureSizing_h
 #define featurehex_FeatureSizing_h
@@ -20,8 +21,8 @@ struct FeatureSizingOptions
   double CellsPerLoop = 6.0;     ///< along a loop without corner
 };
 
-/// Refinement points where curves are short, or close to others that they don't meet, with the level
-/// they need; by curve, along each. Cost: O(length / edge length).
+/// Refinement points where curves are short, or close to others that they don't meet, with the
+/// level they need; by curve, along each. Cost: O(length / edge length).
 std::vector<RefinementPoint> ComputeFeatureSizing(
   const FeatureGeometry& geometry, const FeatureSizingOptions& options);
 } // namespace featurehex

@@ -14,7 +14,7 @@ namespace
 constexpr int SnapSweeps = 40;     // attempts to put feature vertices on their features
 constexpr double SnapGrowth = 1.5; // of the weight of features per attempt ...
 constexpr double SnapWeight = 1e6; // ... up to this
-constexpr double SnapNear = 0.02;  // local sizes: vertices as near as this are put on their features ...
+constexpr double SnapNear = 0.02;  // local sizes: nearer vertices are put on their features ...
 constexpr int SnapFarStart = 25;   // ... and, after so many attempts, all others
 constexpr int SnapTrials = 4;      // halvings of one such move
 constexpr int PatientSweeps = 6;   // without success
@@ -22,7 +22,8 @@ constexpr int PatientSweeps = 6;   // without success
 constexpr int ForceRings[] = { 3, 5 }; // neighbourhood that gives way to a trapped vertex
 constexpr int ForceSweeps = 40;
 constexpr int CertifySweeps = 20; // to make untangled hexes valid over their whole volume
-constexpr double LeastForcedQuality = 0.03; // scaled Jacobian: what is flatter than this, no improvement opens
+/// Scaled Jacobian: what is flatter than this, no improvement opens.
+constexpr double LeastForcedQuality = 0.03;
 
 /// The parts of SnapFeatures() with what they share.
 class Snapper
@@ -61,8 +62,8 @@ private:
   HexOptimizer& Optimizer;
 };
 
-/// Moves feature vertices within @a reach (local sizes) of their features there, one at a time; those that arrive are
-/// locked. Returns how many are not.
+/// Moves feature vertices within @a reach (local sizes) of their features there, one at a time;
+/// those that arrive are locked. Returns how many are not.
 Index Snapper::SnapNearer(double reach)
 {
   Index left = 0;
@@ -186,8 +187,8 @@ bool Snapper::Untangle(const Region& region)
   return sound;
 }
 
-/// Puts a trapped vertex, and the trapped ones near it, on their features although that inverts hexes, and
-/// untangles the neighbourhood. False: that failed, and nothing has changed.
+/// Puts a trapped vertex, and the trapped ones near it, on their features although that inverts
+/// hexes, and untangles the neighbourhood. False: that failed, and nothing has changed.
 bool Snapper::Force(Index vertex, int rings, bool withNeighbors)
 {
   const Region region = this->RegionAround(vertex, rings);

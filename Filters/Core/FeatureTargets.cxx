@@ -51,7 +51,8 @@ FeatureTargets::FeatureTargets(const FeatureGeometry& geometry, const HexFeature
       this->FeatureVertices.push_back(v);
     }
   }
-  // First the arcs a path would have if its vertices were spread evenly, then those of closest points.
+  // First the arcs a path would have if its vertices were spread evenly, then those of closest
+  // points.
   for (std::size_t c = 0; c < features.CurvePaths.size(); ++c)
   {
     const std::vector<Index>& path = features.CurvePaths[c];
@@ -123,9 +124,10 @@ void FeatureTargets::FollowCurves(const std::vector<Vec3>& points)
     std::vector<double> arcs(count);
     for (int i = 0; i < count; ++i)
     {
-      arcs[i] = this->KindOf(path[i]) == FeatureKind::Curve ? this->OnCurve(path[i], points[path[i]]).Arc
-        : i == 0                                            ? 0.0
-                                                            : length;
+      arcs[i] = this->KindOf(path[i]) == FeatureKind::Curve
+                  ? this->OnCurve(path[i], points[path[i]]).Arc
+                : i == 0 ? 0.0
+                         : length;
       // Round the loop: arcs rise from vertex to vertex.
       if (curve.Closed && i > 0)
       {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Where the boundary vertices of a hex mesh belong: matched corners, curves and patches (design 3.8).
+/// Where the boundary vertices of a hex mesh belong: matched corners, curves and patches
+/// (design 3.8).
 
 #ifndef featurehex_FeatureTargets_h
 #define featurehex_FeatureTargets_h
@@ -10,8 +11,8 @@
 
 namespace featurehex
 {
-/// Connects a mesh whose points move with the features it reproduces. A vertex that has reached its corner or
-/// curve is locked: corners stay, curve vertices slide along their curve.
+/// Connects a mesh whose points move with the features it reproduces. A vertex that has reached its
+/// corner or curve is locked: corners stay, curve vertices slide along their curve.
 class FeatureTargets
 {
 public:
@@ -35,21 +36,23 @@ public:
   /// Closest point of the curve of @a v near where it was before. Precondition: a curve vertex.
   CurvePoint OnCurve(Index v, const Vec3& p) const;
 
-  /// Length of the curve from @a arc to where the vertex would be if its path were spread more evenly; positive: ahead.
+  /// Length of the curve from @a arc to where the vertex would be if its path were spread more
+  /// evenly; positive: ahead.
   double SpreadFrom(Index v, double arc) const;
 
   /// The corner, or the closest point of the curve.
   Vec3 Project(Index v, const Vec3& p) const;
 
-  /// The part of @a direction in which a locked vertex may move: along its curve; zero for a corner.
+  /// The part of @a direction in which a locked vertex may move: along its curve; zero for a
+  /// corner.
   Vec3 Allowed(Index v, const Vec3& p, const Vec3& direction) const;
 
   bool Locked(Index v) const { return this->IsLocked[v] != 0; }
   void Lock(Index v) { this->IsLocked[v] = 1; }
   void Unlock(Index v) { this->IsLocked[v] = 0; }
 
-  /// Follow the points: the search for curve points starts from here. Keeps the order of the vertices of each
-  /// path.
+  /// Follow the points: the search for curve points starts from here. Keeps the order of the
+  /// vertices of each path.
   void FollowCurves(const std::vector<Vec3>& points);
 
   /// Feature vertices, ascending.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Which corners, curves and patches of a surface a hex mesh reproduces, one to one (design 1, 3.9).
+/// Which corners, curves and patches of a surface a hex mesh reproduces, one to one (design 1,
+/// 3.9).
 
 #ifndef featurehex_FeatureValidation_h
 #define featurehex_FeatureValidation_h
@@ -17,7 +18,8 @@ namespace featurehex
 enum class FeatureOutcome : std::uint8_t
 {
   Captured = 0,
-  NotEnforced = 1,     ///< a flawed corner; a curve that ends at one; patches that such a curve parts
+  /// A flawed corner; a curve that ends at one; patches that such a curve parts.
+  NotEnforced = 1,
   NotMapped = 2,       ///< nothing in the mesh stands for it
   OffPosition = 3,     ///< a vertex isn't on the corner or curve
   BrokenPath = 4,      ///< no simple chain of boundary edges from one end to the other
@@ -77,8 +79,8 @@ struct FeatureValidationReport
   static FeatureTotals Sum(const std::vector<FeatureFinding>& findings);
 };
 
-/// A corner vertex may be off its corner, a curve vertex off its curve by this, as a fraction of the
-/// diagonal.
+/// A corner vertex may be off its corner, a curve vertex off its curve by this, as a fraction of
+/// the diagonal.
 constexpr double CornerAccuracy = 1e-9;
 constexpr double CurveAccuracy = 1e-6;
 
@@ -89,23 +91,23 @@ struct FeatureCorrespondence
   const HexFeatures* OfMesh = nullptr; ///< PatchOfQuad: in the order of ExtractBoundary()
 };
 
-/// Measures with code that shares nothing with mapping and fitting; the only distance search is that
-/// of the other validations.
+/// Measures with code that shares nothing with mapping and fitting; the only distance search is
+/// that of the other validations.
 ///
-/// A corner is captured when one boundary vertex of its own is within CornerAccuracy of it. A curve:
-/// a chain of boundary edges that uses no vertex twice and none of another curve runs once along it
-/// from corner vertex to corner vertex (loops are closed), every vertex within CurveAccuracy of it,
-/// chain and curve within @a tolerance (a fraction of the diagonal) of each other, both ways. A patch:
-/// its quads are connected without crossing a chain, bounded by exactly the chains of its curves,
-/// each seen on the right side, have the Euler characteristic of the patch, and their corners,
-/// centres and edge middles are within @a tolerance of it.
+/// A corner is captured when one boundary vertex of its own is within CornerAccuracy of it. A
+/// curve: a chain of boundary edges that uses no vertex twice and none of another curve runs once
+/// along it from corner vertex to corner vertex (loops are closed), every vertex within
+/// CurveAccuracy of it, chain and curve within @a tolerance (a fraction of the diagonal) of each
+/// other, both ways. A patch: its quads are connected without crossing a chain, bounded by exactly
+/// the chains of its curves, each seen on the right side, have the Euler characteristic of the
+/// patch, and their corners, centres and edge middles are within @a tolerance of it.
 ///
 /// A corner that isn't Valid() isn't enforced, nor a curve that ends at one, nor the patches on
 /// its two sides: nothing parts them at that corner. They are reported, but don't count; how
 /// the quads of such patches are labelled doesn't matter.
 ///
-/// @a boundary: of @a mesh. Ids and sizes in @a features needn't be right. Parallel over the patches,
-/// the same bits for any number of threads.
+/// @a boundary: of @a mesh. Ids and sizes in @a features needn't be right. Parallel over the
+/// patches, the same bits for any number of threads.
 FeatureValidationReport ValidateFeatures(const HexMesh& mesh, const HexBoundary& boundary,
   const SurfaceMesh& surface, const FeatureCorrespondence& features, double tolerance);
 } // namespace featurehex

@@ -88,8 +88,9 @@ struct EdgeVectors
   }
 };
 
-/// det = (U x V) . W is a product of bilinear functions; products of linear Bernstein polynomials are
-/// B_a B_b = B2_{a+b} / binomial(2, a+b). U x V is summed over w first: 16 cross and 48 dot products.
+/// det = (U x V) . W is a product of bilinear functions; products of linear Bernstein polynomials
+/// are B_a B_b = B2_{a+b} / binomial(2, a+b). U x V is summed over w first: 16 cross and 48 dot
+/// products.
 Coefficients BezierOf(const EdgeVectors& e)
 {
   Coefficients c;
@@ -183,7 +184,8 @@ Validity Subdivide(const Coefficients& root, double error, double& lowerBound)
   std::vector<SubBox> heap{ { root, Least(root), 0 } };
   bool singular = LeastCorner(root) <= error;
   lowerBound = Least(root) - error;
-  // A value within the rounding error of zero can't become certain: look a little for a negative one.
+  // A value within the rounding error of zero can't become certain: look a little for a negative
+  // one.
   for (int boxes = 0; boxes < (singular ? 100 : MaximumBoxes); ++boxes)
   {
     std::pop_heap(heap.begin(), heap.end(), better);
@@ -243,8 +245,9 @@ HexCertificate CertifyHex(const std::array<Vec3, 8>& corners)
   {
     edges.Scale(std::ldexp(1.0, -exponent));
   }
-  // With u = epsilon / 2: 3 u for the differences, 2 u + 1 u for the cross products, 3 u for the dot
-  // products, 3 u for the sums: 6 epsilon. Each level of subdivision: 6 u. The last term: underflow.
+  // With u = epsilon / 2: 3 u for the differences, 2 u + 1 u for the cross products, 3 u for the
+  // dot products, 3 u for the sums: 6 epsilon. Each level of subdivision: 6 u. The last term:
+  // underflow.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   const double magnitude = edges.Magnitude();
   const double firstError = 8.0 * epsilon * magnitude + 1e-300;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Proof that the Jacobian determinant of a trilinear hex is positive at every point of the hex, not
-/// only at its corners. References: A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical validity of
-/// curvilinear finite elements", Journal of Computational Physics 233, 2013, doi
-/// 10.1016/j.jcp.2012.08.051; A. Johnen, J.-C. Weill, J.-F. Remacle, "Robust and efficient validation
-/// of the linear hexahedral element", Procedia Engineering 203, 2017, doi
+/// Proof that the Jacobian determinant of a trilinear hex is positive at every point of the hex,
+/// not only at its corners. References: A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical
+/// validity of curvilinear finite elements", Journal of Computational Physics 233, 2013, doi
+/// 10.1016/j.jcp.2012.08.051; A. Johnen, J.-C. Weill, J.-F. Remacle, "Robust and efficient
+/// validation of the linear hexahedral element", Procedia Engineering 203, 2017, doi
 /// 10.1016/j.proeng.2017.09.809.
 
 #ifndef featurehex_HexCertificate_h
@@ -19,9 +19,9 @@
 
 namespace featurehex
 {
-/// The 27 Bernstein-Bezier coefficients of the Jacobian determinant of the trilinear map of the unit
-/// cube onto the hex, index i + 3 j + 9 k. They bound the determinant from both sides; those with
-/// i, j, k in {0, 2} are its values at the corners; their mean is the volume of the hex. Only
+/// The 27 Bernstein-Bezier coefficients of the Jacobian determinant of the trilinear map of the
+/// unit cube onto the hex, index i + 3 j + 9 k. They bound the determinant from both sides; those
+/// with i, j, k in {0, 2} are its values at the corners; their mean is the volume of the hex. Only
 /// differences of points enter, so that a huge offset costs no accuracy. Cost: 0.2 microseconds.
 std::array<double, 27> BezierJacobian(const std::array<Vec3, 8>& corners);
 

@@ -29,7 +29,8 @@ struct DomainOptions
   double TargetEdgeLength = 0.0; ///< model units: cells of level 0; 0: the largest near the surface
   int MaximumLevel = 4;          ///< refinement points never ask for more
 
-  double MissingDistance = 1.0; ///< surface farther from the interface than this is lost; local cells
+  /// Surface farther from the interface than this is lost; local cells.
+  double MissingDistance = 1.0;
   double ThinLimit = 1.5;       ///< thickness or gap that explains wrong topology; local cells
   double Slack = 0.0;           ///< model units, as in ClearanceOptions
 

@@ -19,7 +19,8 @@ constexpr double PlaceSpacing = 1.0; // of refinement points along a curve, loca
 
 std::string At(const Vec3& p)
 {
-  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) + ")";
+  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
+         ")";
 }
 
 /// What the parts of the mapping share.
@@ -33,7 +34,8 @@ public:
     , Options(options)
     , Result(mapping)
     , Graph(QuadsOf(interface), mesh.Points.size())
-    , Router(mesh.Points, this->Graph, geometry, mapping.Features.CornerVertices, options.CurveReach)
+    , Router(
+        mesh.Points, this->Graph, geometry, mapping.Features.CornerVertices, options.CurveReach)
   {
   }
 
@@ -146,7 +148,8 @@ void Mapper::PlaceCorners()
     if (this->Geometry.Enforced(static_cast<Index>(c)) && vertices[c] < 0)
     {
       const Vec3& p = this->Geometry.CornerPoint(static_cast<Index>(c));
-      this->Fail(FeatureKind::Corner, static_cast<Index>(c), "Corner " + std::to_string(c) + " at " + At(p) + " with " +
+      this->Fail(FeatureKind::Corner, static_cast<Index>(c),
+        "Corner " + std::to_string(c) + " at " + At(p) + " with " +
           std::to_string(this->Geometry.Fans()[c].Spokes.size()) +
           " curves has no free vertex with as many edges near it",
         { p });
@@ -192,7 +195,8 @@ void Mapper::TraceCurves()
     if (cornersPlaced)
     {
       const std::vector<Vec3>& contested = this->Router.ContestedPlaces(c);
-      this->Fail(FeatureKind::Curve, c, "Curve " + std::to_string(c) + " from " + At(curve.Points.front()) + " to " +
+      this->Fail(FeatureKind::Curve, c,
+        "Curve " + std::to_string(c) + " from " + At(curve.Points.front()) + " to " +
           At(curve.Points.back()) + " finds no way between the others",
         contested.empty() ? this->PlacesAlong(c) : contested);
     }
@@ -256,7 +260,8 @@ std::vector<Vec3> Mapper::PlacesOfPatch(int patch) const
 void Mapper::MatchPatches()
 {
   const std::vector<Index> pieces = this->PiecesBetweenPaths();
-  // What the curves say about the pieces on their two sides: (piece, patch) -> (edges, one of the curves).
+  // What the curves say about the pieces on their two sides: (piece, patch) -> (edges, one of the
+  // curves).
   std::map<std::pair<Index, int>, std::pair<int, Index>> votes;
   for (std::size_t c = 0; c < this->Router.Paths().size(); ++c)
   {
@@ -285,9 +290,9 @@ void Mapper::MatchPatches()
   {
     if (patchOfPiece[key.first] != key.second)
     {
-      this->Fail(FeatureKind::Curve, vote.second, "Curve " + std::to_string(vote.second) + " bounds patch " +
-          std::to_string(key.second) + ", its path a piece of patch " +
-          std::to_string(patchOfPiece[key.first]),
+      this->Fail(FeatureKind::Curve, vote.second,
+        "Curve " + std::to_string(vote.second) + " bounds patch " + std::to_string(key.second) +
+          ", its path a piece of patch " + std::to_string(patchOfPiece[key.first]),
         this->PlacesAlong(vote.second));
     }
   }
@@ -327,7 +332,8 @@ void Mapper::MatchPatches()
       else
       {
         patchOfPiece[pieces[q]] = -1;
-        this->Fail(FeatureKind::Surface, -1, "A piece of the interface at " + At(this->Center(q)) + " belongs to no patch",
+        this->Fail(FeatureKind::Surface, -1,
+          "A piece of the interface at " + At(this->Center(q)) + " belongs to no patch",
           { this->Center(q) });
       }
     }
@@ -344,7 +350,8 @@ void Mapper::MatchPatches()
     if (this->Geometry.PatchOf(patch) == patch && count != 1 && (count == 0 || merged[patch] == 1))
     {
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
-      this->Fail(FeatureKind::Surface, patch, "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
+      this->Fail(FeatureKind::Surface, patch,
+        "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
           (count == 0 ? "no quads" : std::to_string(count) + " pieces"),
         places);
     }

@@ -43,14 +43,15 @@ struct FeatureMapping
   bool Complete() const { return this->Failures.empty(); }
 };
 
-/// Corners become interface vertices, one to one, with at least as many edges as curves meet there; curves
-/// become paths of interface edges that keep their cyclic order at the corners and touch nowhere
-/// else; patches are the pieces between the paths, matched one to one by the curves that bound them.
+/// Corners become interface vertices, one to one, with at least as many edges as curves meet there;
+/// curves become paths of interface edges that keep their cyclic order at the corners and touch
+/// nowhere else; patches are the pieces between the paths, matched one to one by the curves that
+/// bound them.
 ///
-/// A path is a shortest one in (length) x (1 + 2 (distance to the curve / edge length)^2) plus a price for turns
-/// that leave a single quad, or many, on one side; it never jumps along its curve, so that a narrow horseshoe isn't cut
-/// off. What can't be mapped is no error: see Failures. Sequential, deterministic.
-/// Cost: O(n log n) in the edges near each curve.
+/// A path is a shortest one in (length) x (1 + 2 (distance to the curve / edge length)^2) plus a
+/// price for turns that leave a single quad, or many, on one side; it never jumps along its curve,
+/// so that a narrow horseshoe isn't cut off. What can't be mapped is no error: see Failures.
+/// Sequential, deterministic. Cost: O(n log n) in the edges near each curve.
 Status MapFeaturesToInterface(const HexMesh& mesh, const std::vector<InterfaceQuad>& interface,
   const FeatureGeometry& geometry, const FeatureMappingOptions& options, Monitor& monitor,
   FeatureMapping& mapping);

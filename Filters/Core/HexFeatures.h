@@ -12,13 +12,15 @@
 
 namespace featurehex
 {
-/// Corners are vertices, curves chains of boundary edges, patches sets of boundary quads. Ids are those of
-/// SurfaceFeatures; what is not enforced has no image.
+/// Corners are vertices, curves chains of boundary edges, patches sets of boundary quads. Ids are
+/// those of SurfaceFeatures; what is not enforced has no image.
 struct HexFeatures
 {
   std::vector<Index> CornerVertices;          ///< of each corner; -1: none
-  std::vector<std::vector<Index>> CurvePaths; ///< of each curve; a loop repeats its first vertex; empty: none
-  std::vector<int> PatchOfQuad;               ///< of each boundary quad, in the order of HexStars::Quads
+  /// Of each curve; a loop repeats its first vertex; empty: none.
+  std::vector<std::vector<Index>> CurvePaths;
+  /// Of each boundary quad, in the order of HexStars::Quads.
+  std::vector<int> PatchOfQuad;
 
   bool Empty() const { return this->PatchOfQuad.empty(); }
 };
@@ -57,7 +59,8 @@ enum class FeatureKind : std::uint8_t
 struct FeatureLabels
 {
   std::vector<FeatureKind> Kind;
-  std::vector<Index> Id; ///< patch, curve or corner; -1: interior, or between patches that no curve parts
+  /// Patch, curve or corner; -1: interior, or between patches that no curve parts.
+  std::vector<Index> Id;
 
   FeatureLabels() = default;
   FeatureLabels(const HexFeatures& features, const HexStars& stars)

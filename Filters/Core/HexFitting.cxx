@@ -9,7 +9,8 @@ namespace featurehex
 {
 namespace
 {
-constexpr double ReverseThreshold = 0.2; // of the tolerance: closer samples of the input exert no pull
+/// Of the tolerance: closer samples of the input exert no pull.
+constexpr double ReverseThreshold = 0.2;
 constexpr int ReverseStart = 3;          // iterations before samples of the input pull
 }
 

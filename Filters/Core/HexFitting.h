@@ -20,8 +20,9 @@ struct FittingOptions
   double MaximumWeight = 200.0;   ///< more only lowers the quality (recipe-pipeline 3)
 };
 
-/// From a valid mesh to a valid mesh with its boundary on the surface. @a features may be null; corner and curve
-/// vertices that reach their features are locked there. @a envelope belongs to this mesh.
+/// From a valid mesh to a valid mesh with its boundary on the surface. @a features may be null;
+/// corner and curve vertices that reach their features are locked there. @a envelope belongs to
+/// this mesh.
 Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
   FeatureTargets* features, SurfaceEnvelope& envelope, const FittingOptions& options,
   Monitor& monitor);

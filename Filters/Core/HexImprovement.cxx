@@ -103,7 +103,8 @@ public:
           }
         }
       }
-      // The weight rises slowly: a quad should be drawn back by all its vertices, not by the first one visited.
+      // The weight rises slowly: a quad should be drawn back by all its vertices, not by the first
+      // one visited.
       const double weight = DrawWeight * std::pow(DrawGrowth, sweep);
       if (!any ||
         !this->Sweep([&](Index v) { return this->Vertices.DrawInside(v, weight); }))
@@ -115,8 +116,8 @@ public:
     this->UpdateQualities();
   }
 
-  /// The fit looks at the corners of hexes only: relaxes those that are not valid over their whole volume. Where
-  /// that fails, feature vertices are let go.
+  /// The fit looks at the corners of hexes only: relaxes those that are not valid over their whole
+  /// volume. Where that fails, feature vertices are let go.
   void Certify()
   {
     std::vector<Index> suspects = this->Uncertified();
@@ -170,7 +171,8 @@ public:
     }
   }
 
-  /// The same for all hexes below the target, whatever the minimum: a few that are stuck don't hold up the others.
+  /// The same for all hexes below the target, whatever the minimum: a few that are stuck don't hold
+  /// up the others.
   void RaiseOthers(double target)
   {
     for (int sweep = 0; sweep < OtherSweeps && this->Progress.Update(this->Fraction); ++sweep)
@@ -231,8 +233,8 @@ public:
     this->UpdateQualities();
   }
 
-  /// Feature vertices onto their features where the mesh stays valid; the quality may suffer, it is raised
-  /// later. Returns how many are not there.
+  /// Feature vertices onto their features where the mesh stays valid; the quality may suffer, it is
+  /// raised later. Returns how many are not there.
   Index SnapFeatures()
   {
     FeatureTargets* const features = this->Options.Features;
@@ -250,7 +252,8 @@ public:
     return left;
   }
 
-  /// Boundary vertices onto the surface, one at a time, where nothing gets worse. Returns how many are on it.
+  /// Boundary vertices onto the surface, one at a time, where nothing gets worse. Returns how many
+  /// are on it.
   Index Project(double floor)
   {
     for (std::size_t v = 0; v < this->Chosen.size(); ++v)
@@ -383,7 +386,8 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   double floor = std::min(target, improvement.Minimum());
   if (options.Features && floor < target)
   {
-    // Creases bound the quality of a few hexes: they don't hold up the others, nor allow them to get as bad.
+    // Creases bound the quality of a few hexes: they don't hold up the others, nor allow them to
+    // get as bad.
     improvement.RaiseOthers(target);
     floor = std::max(floor, AcceptableShare * target);
   }

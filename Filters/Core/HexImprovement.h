@@ -35,14 +35,16 @@ struct ImprovementReport
   double Distance = 0; ///< bound of the sampled distance at the end, model units
   bool Drawn = false;  ///< the boundary came well inside the tolerance
   int Rounds = 0;
-  Index OnSurface = 0;   ///< boundary vertices that lie on the surface exactly (before a last correction)
+  /// Boundary vertices that lie on the surface exactly (before a last correction).
+  Index OnSurface = 0;
   Index OffFeatures = 0; ///< corner and curve vertices that are not on their features
   Index BelowTarget = 0; ///< hexes left below the wanted minimum
 };
 
-/// Moves points of a valid mesh; connectivity stays. Every step keeps elements valid over their whole volume and
-/// quads inside the envelope. When the boundary can't be drawn inside, the stage ends there
-/// (report.Drawn is false): the mesh needs other cells. @a envelope belongs to this mesh.
+/// Moves points of a valid mesh; connectivity stays. Every step keeps elements valid over their
+/// whole volume and quads inside the envelope. When the boundary can't be drawn inside, the stage
+/// ends there (report.Drawn is false): the mesh needs other cells. @a envelope belongs to this
+/// mesh.
 Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
   SurfaceEnvelope& envelope, const ImprovementOptions& options, ImprovementReport& report,
   Monitor& monitor);

@@ -42,8 +42,9 @@ public:
   /// Group of each boundary quad, 1 and up; 0: not padded.
   std::vector<Index> Groups(LocalPaddingReport& report) const;
 
-  /// For face f of hex h at [6 h + f]: it stands under a feature edge with padded quads on both sides. The hexes beside
-  /// an edge that ends at a crease may be padded for their other quads: a wall there would end inside the group.
+  /// For face f of hex h at [6 h + f]: it stands under a feature edge with padded quads on both
+  /// sides. The hexes beside an edge that ends at a crease may be padded for their other quads: a
+  /// wall there would end inside the group.
   std::vector<char> FacesUnderCurves(const HexMesh& mesh, const std::vector<Index>& groups,
     const std::vector<Index>& groupOfHex) const;
 
@@ -70,8 +71,8 @@ private:
   std::vector<Index> CurveOfDart; ///< -1: no feature edge
 };
 
-/// Angle of the surface between the curve that leaves the corner along @a outgoing and, counter-clockwise, the one
-/// that arrives along @a incoming.
+/// Angle of the surface between the curve that leaves the corner along @a outgoing and,
+/// counter-clockwise, the one that arrives along @a incoming.
 double DegenerateQuads::SectorAngle(Index corner, Index outgoing, Index incoming) const
 {
   const CornerFan& fan = this->Geometry.Fans()[corner];
@@ -107,8 +108,8 @@ bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
     this->Options.WidestAngle;
 }
 
-/// Visits (first dart, quads) of each sector: the quads between two consecutive feature edges at a vertex, on the
-/// left of the first.
+/// Visits (first dart, quads) of each sector: the quads between two consecutive feature edges at a
+/// vertex, on the left of the first.
 template <typename Visitor>
 void DegenerateQuads::VisitSectors(const Visitor& visit) const
 {
@@ -133,7 +134,8 @@ void DegenerateQuads::VisitSectors(const Visitor& visit) const
   }
 }
 
-/// Many quads in a narrow sector: after padding there are two, and the crowd is round a free vertex.
+/// Many quads in a narrow sector: after padding there are two, and the crowd is round a free
+/// vertex.
 void DegenerateQuads::ChooseCrowded(std::vector<char>& chosen) const
 {
   this->VisitSectors([&](Index outgoing, const std::vector<Index>& quads, Index incoming) {
@@ -151,7 +153,8 @@ void DegenerateQuads::ChooseCrowded(std::vector<char>& chosen) const
   });
 }
 
-/// A group that takes some quads of a sector would add one to those left: it takes all. False: nothing to do.
+/// A group that takes some quads of a sector would add one to those left: it takes all. False:
+/// nothing to do.
 bool DegenerateQuads::CompleteSectors(std::vector<char>& chosen) const
 {
   bool changed = false;
@@ -170,7 +173,8 @@ bool DegenerateQuads::CompleteSectors(std::vector<char>& chosen) const
   return changed;
 }
 
-/// A group that goes round the free end of a curve would fold its ring there: what isn't beside the curve stays out.
+/// A group that goes round the free end of a curve would fold its ring there: what isn't beside the
+/// curve stays out.
 void DegenerateQuads::LeaveFreeEnds(std::vector<char>& chosen) const
 {
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
@@ -289,7 +293,8 @@ std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
 class Pillow
 {
 public:
-  /// @a walls: as FacesUnderCurves(): hexes of one group are shrunk away from each other there, too.
+  /// @a walls: as FacesUnderCurves(): hexes of one group are shrunk away from each other there,
+  /// too.
   Pillow(PaddedMesh& padded, HexFeatures& features, const HexStars& stars,
     const std::vector<Index>& groupOfHex, const std::vector<char>& walls, double thickness)
     : Padded(padded)
@@ -394,12 +399,14 @@ void Pillow::CopyVertex(Index v)
     this->Padded.OnBoundary.push_back(this->Padded.OnBoundary[v]);
     for (Index member : fan)
     {
-      this->Copies[hexes[member]][this->Stars.Corners[this->Stars.Hexes.Offsets[v] + member]] = copy;
+      this->Copies[hexes[member]][this->Stars.Corners[this->Stars.Hexes.Offsets[v] + member]] =
+        copy;
     }
   }
 }
 
-/// Boundary quads move with their hexes; where a layer comes to the surface it belongs to the patch of the quad beside it.
+/// Boundary quads move with their hexes; where a layer comes to the surface it belongs to the patch
+/// of the quad beside it.
 void Pillow::CollectPatches()
 {
   for (std::size_t q = 0; q < this->Stars.Quads.size(); ++q)
@@ -417,7 +424,8 @@ void Pillow::CollectPatches()
       const int next = (k + 1) & 3;
       if (quad[k] != old[k] && quad[next] != old[next])
       {
-        this->Patches.Add({ quad[k], quad[next], old[next], old[k] }, this->Features.PatchOfQuad[q]);
+        this->Patches.Add(
+          { quad[k], quad[next], old[next], old[k] }, this->Features.PatchOfQuad[q]);
       }
     }
   }

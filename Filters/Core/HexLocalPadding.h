@@ -14,9 +14,11 @@ namespace featurehex
 {
 struct LocalPaddingOptions
 {
-  /// A quad corner between two feature edges that will get a wider angle than this, degrees, is degenerate.
+  /// A quad corner between two feature edges that will get a wider angle than this, degrees, is
+  /// degenerate.
   double WidestAngle = 135.0;
-  /// Three quads or more between two feature edges that would get narrower angles than this are padded, too.
+  /// Three quads or more between two feature edges that would get narrower angles than this are
+  /// padded, too.
   double NarrowestAngle = 50.0;
   /// Of the layers: share of the way to the centres of the hexes.
   double Thickness = 0.25;
@@ -31,10 +33,11 @@ struct LocalPaddingReport
 
 /// A quad with two consecutive edges on one curve would get a straight angle there. Such quads and
 /// those round their vertices without feature are grouped, and the layer hexes under each group are
-/// shrunk away from all others ("pillow"); the gap is filled with hexes: a layer below the group, and a ring
-/// round it, whose quads have one edge on the curve each.
+/// shrunk away from all others ("pillow"); the gap is filled with hexes: a layer below the group,
+/// and a ring round it, whose quads have one edge on the curve each.
 ///
-/// Creases with one hex have no such quads. Where the rim of a group crosses one, the crease gets one more vertex.
+/// Creases with one hex have no such quads. Where the rim of a group crosses one, the crease gets
+/// one more vertex.
 ///
 /// @a padded: the globally padded mesh; @a features: its features. Both are replaced; the
 /// vertices of corners and curves stay the same points. Connectivity is valid afterwards, some

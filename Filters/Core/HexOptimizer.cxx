@@ -13,7 +13,8 @@ namespace featurehex
 namespace
 {
 constexpr double MaximumStep = 0.3;               // of the local size
-constexpr double MinimumStep = 1e-6;              // of the local size: below it the vertex is at rest
+/// Of the local size: below it the vertex is at rest.
+constexpr double MinimumStep = 1e-6;
 constexpr double WakingStep = 2e-3;               // of the local size: wakes the neighbours
 constexpr double RatioTest = 0.8;                 // share of a determinant that one step may take
 

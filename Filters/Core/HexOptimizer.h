@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Block coordinate descent on the distortion of a hex mesh plus quadratic surface terms (design 4).
+/// Block coordinate descent on the distortion of a hex mesh plus quadratic surface terms
+/// (design 4).
 
 #ifndef featurehex_HexOptimizer_h
 #define featurehex_HexOptimizer_h
@@ -17,8 +18,9 @@ namespace featurehex
 /// Least of the eight corner determinants of a hex.
 double LeastCornerDeterminant(const HexMesh& mesh, Index hex);
 
-/// Weight (Stiffness (n . d)^2 + Tether |d|^2) with d = (weighted mean of the vertices) - Target. Zero weight:
-/// absent. A plane has Stiffness 1; a line along n Stiffness -1 and Tether 1; a point 0 and 1.
+/// Weight (Stiffness (n . d)^2 + Tether |d|^2) with d = (weighted mean of the vertices) - Target.
+/// Zero weight: absent. A plane has Stiffness 1; a line along n Stiffness -1 and Tether 1; a point
+/// 0 and 1.
 struct SurfaceTerm
 {
   Vec3 Target = Vec3::Zero();
@@ -38,15 +40,17 @@ struct QuadTerm
 /// Minimises, one vertex at a time by Newton steps in closed form,
 ///
 ///   E = sum over hexes and corners of f(J) + surface terms,
-///   f = (|J|^2)^(3/2) / (3^(3/2) det J)                                  (3-D MIPS, 1 for a cube corner)
+///   f = (|J|^2)^(3/2) / (3^(3/2) det J)                            (3-D MIPS, 1 for a cube corner)
 ///
-/// with J the three edge vectors at the corner. For one moving vertex |J|^2 is quadratic with a scalar
-/// Hessian and det J is affine, so that gradient and Hessian are closed forms. Steps are limited by the ratio
-/// test: no corner determinant loses more than 80 % of its value. In untangling mode det J is replaced by
-/// chi = (det + sqrt(det^2 + delta^2)) / 2, which is positive for inverted corners too.
+/// with J the three edge vectors at the corner. For one moving vertex |J|^2 is quadratic with a
+/// scalar Hessian and det J is affine, so that gradient and Hessian are closed forms. Steps are
+/// limited by the ratio test: no corner determinant loses more than 80 % of its value. In
+/// untangling mode det J is replaced by chi = (det + sqrt(det^2 + delta^2)) / 2, which is positive
+/// for inverted corners too.
 ///
-/// References: Hormann, Greiner, MIPS, 2000; Garanzha, Kaporin, Kudryavtseva, Protais, Ray, Sokolov,
-/// Foldover-free maps in 50 lines of code, ACM TOG 40(4), 2021, doi:10.1145/3450626.3459847.
+/// References: Hormann, Greiner, MIPS, 2000; Garanzha, Kaporin, Kudryavtseva, Protais, Ray,
+/// Sokolov, Foldover-free maps in 50 lines of code, ACM TOG 40(4), 2021,
+/// doi:10.1145/3450626.3459847.
 class HexOptimizer
 {
 public:
@@ -69,12 +73,13 @@ public:
   /// Locked vertices stay on their features; may be null. The caller keeps it alive.
   const FeatureTargets* Features = nullptr;
 
-  /// Move the vertex by @a displacement if no corner determinant loses more than the ratio test allows.
+  /// Move the vertex by @a displacement if no corner determinant loses more than the ratio test
+  /// allows.
   bool TryMove(Index vertex, const Vec3& displacement);
 
-  /// One sweep over the vertices marked active; a moved vertex marks its neighbours. Returns the number of
-  /// vertices that moved. @a regularization: delta relative to the cube of the hex size, negative: the
-  /// mesh is valid and stays so. When @a monitor says stop, the sweep ends early.
+  /// One sweep over the vertices marked active; a moved vertex marks its neighbours. Returns the
+  /// number of vertices that moved. @a regularization: delta relative to the cube of the hex size,
+  /// negative: the mesh is valid and stays so. When @a monitor says stop, the sweep ends early.
   std::size_t Sweep(double regularization, Monitor* monitor = nullptr);
 
   void ActivateAll();
@@ -83,7 +88,8 @@ public:
   /// Least determinant, relative to the cube of the hex size, of the corners that can move.
   double LeastDeterminant() const;
 
-  /// A corner whose four vertices are all fixed is inverted: no move of the others makes this hex valid.
+  /// A corner whose four vertices are all fixed is inverted: no move of the others makes this hex
+  /// valid.
   bool Hopeless(Index hex) const;
 
 private:

@@ -18,8 +18,8 @@ struct PaddingOptions
   double Thickness = 0.1;
 };
 
-/// The bodies with their layers. A boundary hex has one quad on the boundary, or one of each layer that crosses it.
-/// Connectivity is valid; some hexes may be inverted.
+/// The bodies with their layers. A boundary hex has one quad on the boundary, or one of each layer
+/// that crosses it. Connectivity is valid; some hexes may be inverted.
 struct PaddedMesh
 {
   /// Points along a Morton curve, hexes by their lowest point: near in space, near in memory.
@@ -36,10 +36,10 @@ struct PaddedMesh
 /// are and become the boundary; their inner copies move along the mean unit normal of the
 /// interface.
 ///
-/// @a features: those of the interface, PatchOfQuad in the order of InterfaceQuads(); replaced by those of the padded
-/// mesh. With @a geometry each group of patches (PaddingGroups.h) gets its own layer, in ascending
-/// order. Layers cross where groups meet: the copy of a point on such a crease lies on the patch or the curve beyond
-/// it.
+/// @a features: those of the interface, PatchOfQuad in the order of InterfaceQuads(); replaced by
+/// those of the padded mesh. With @a geometry each group of patches (PaddingGroups.h) gets its own
+/// layer, in ascending order. Layers cross where groups meet: the copy of a point on such a crease
+/// lies on the patch or the curve beyond it.
 ///
 /// Fails with InvalidOption; InvalidMesh, also when the interface is not a manifold
 /// (ComputeHexDomain makes manifolds).
@@ -47,7 +47,8 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   const PaddingOptions& options, PaddedMesh& padded, HexFeatures* features = nullptr,
   const FeatureGeometry* geometry = nullptr);
 
-/// Renumbers points along a Morton curve and hexes by their lowest point. Returns the new id of each point.
+/// Renumbers points along a Morton curve and hexes by their lowest point. Returns the new id of
+/// each point.
 std::vector<Index> OrderInSpace(PaddedMesh& padded);
 
 /// Rank of each point along a Morton (Z-order) curve of 2^21 steps a side through their box.

@@ -14,9 +14,9 @@
 namespace featurehex
 {
 /// Determinants of the unit edge vectors at the 8 corners of a hex, each in [-1, 1], 1 for a right
-/// angled corner. A corner with a zero edge has -1. All are -1 when the hex repeats an id, refers to
-/// a point that does not exist, or has a non-finite point: a broken hex never looks good (VTK gives
-/// 1e30 for a collapsed hex and 1 for one with a NaN).
+/// angled corner. A corner with a zero edge has -1. All are -1 when the hex repeats an id, refers
+/// to a point that does not exist, or has a non-finite point: a broken hex never looks good (VTK
+/// gives 1e30 for a collapsed hex and 1 for one with a NaN).
 std::array<double, 8> CornerScaledJacobians(const HexMesh& mesh, Index hex);
 
 /// Scaled Jacobian of a hex: the least of CornerScaledJacobians() (the paper's MSJ; P. Knupp,

@@ -29,7 +29,8 @@ constexpr std::array<std::array<NeighborCorner, 3>, 8> MakeNeighborCorners()
       {
         ++slot;
       }
-      table[c][r] = { n, HexCornerNeighbors[n][(slot + 1) % 3], HexCornerNeighbors[n][(slot + 2) % 3] };
+      table[c][r] = { n, HexCornerNeighbors[n][(slot + 1) % 3],
+        HexCornerNeighbors[n][(slot + 2) % 3] };
     }
   }
   return table;
@@ -37,7 +38,8 @@ constexpr std::array<std::array<NeighborCorner, 3>, 8> MakeNeighborCorners()
 
 constexpr std::array<std::array<NeighborCorner, 3>, 8> NeighborCorners = MakeNeighborCorners();
 
-/// Stars of the vertices of a hex mesh: incident hexes with the vertex's corner in each, boundary quads.
+/// Stars of the vertices of a hex mesh: incident hexes with the vertex's corner in each, boundary
+/// quads.
 struct HexStars
 {
   IdLists Hexes;                     ///< hexes of each vertex

@@ -19,7 +19,8 @@ constexpr int Rings = 2;
 constexpr double StitchingShare = 1e4; // lambda rises to this times E_D / E_S ...
 constexpr double FirstWeight = 10.0;   // ... from this ...
 constexpr double LargestWeight = 1e16; // ... up to this
-constexpr double WeightGrowth = 1.15;  // per sweep at most: faster, and copies freeze before they are in order
+/// Per sweep at most: faster, and copies freeze before they are in order.
+constexpr double WeightGrowth = 1.15;
 constexpr double RatioTest = 0.8;      // share of a determinant that one step may take
 constexpr double LeastVolume = 0.05;   // of a cube, in cubes of the mean edge of its hex
 
@@ -210,8 +211,9 @@ private:
     double sum = 0;
     for (const auto& edge : HexEdges)
     {
-      sum += (this->Before[this->Mesh.Hexes[h][edge[1]]] - this->Before[this->Mesh.Hexes[h][edge[0]]])
-               .norm();
+      sum +=
+        (this->Before[this->Mesh.Hexes[h][edge[1]]] - this->Before[this->Mesh.Hexes[h][edge[0]]])
+          .norm();
     }
     return sum / 12;
   }
@@ -246,10 +248,12 @@ private:
       }
     }
     const double wanted = StitchingShare * distortion / std::max(stitching, 1e-300);
-    piece.Weight = std::clamp(wanted, piece.Weight, std::min(WeightGrowth * piece.Weight, LargestWeight));
+    piece.Weight =
+      std::clamp(wanted, piece.Weight, std::min(WeightGrowth * piece.Weight, LargestWeight));
   }
 
-  /// One copy of the vertex: its corners, their distortion, its offset from the merged position, its step.
+  /// One copy of the vertex: its corners, their distortion, its offset from the merged position,
+  /// its step.
   struct Copy
   {
     Vec3* Position;
@@ -296,8 +300,9 @@ private:
     {
       return false;
     }
-    const Vec3 shift =
-      this->Free[v] ? this->MergedStep(copies, weight, this->Terms.VertexTerms[v], v) : Vec3::Zero();
+    const Vec3 shift = this->Free[v]
+                         ? this->MergedStep(copies, weight, this->Terms.VertexTerms[v], v)
+                         : Vec3::Zero();
     for (Copy& copy : copies)
     {
       copy.Step = copy.Solver.solve(2 * weight * (shift - copy.Offset) - copy.Sum.Gradient);
@@ -306,7 +311,8 @@ private:
   }
 
   /// Step of the merged position, with the best steps of the copies eliminated:
-  /// (2 w sum A^-1 H + T) m = 2 w sum A^-1 (H p - g) + T t,  A = H + 2 w I, T the Hessian of the surface term.
+  /// (2 w sum A^-1 H + T) m = 2 w sum A^-1 (H p - g) + T t,
+  /// A = H + 2 w I, T the Hessian of the surface term.
   Vec3 MergedStep(
     const std::vector<Copy>& copies, double weight, const SurfaceTerm& term, Index v) const
   {

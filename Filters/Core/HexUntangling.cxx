@@ -79,7 +79,8 @@ Status Untangler::Sweep()
     {
       return this->Progress.StopStatus();
     }
-    // Regularisation of recipe-pipeline 2.6: follows the worst determinant, wide in the first sweeps.
+    // Regularisation of recipe-pipeline 2.6: follows the worst determinant, wide in the first
+    // sweeps.
     const double worst = std::min(this->Optimizer.LeastDeterminant(), 0.0);
     double delta = std::sqrt(1e-6 + 0.04 * worst * worst);
     if (sweep < 15)

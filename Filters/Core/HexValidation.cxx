@@ -196,7 +196,8 @@ std::string Complaints(const HexValidationReport& r)
   blame(r.Manifold(),
     "boundary is not a closed manifold (" + count(t.Surface.NonManifoldEdges, "edges, ") +
       count(t.Surface.NonManifoldVertices, "vertices)"));
-  blame(!r.IntersectionsChecked || r.FreeOfIntersections(), count(r.SelfIntersections, "self-intersections of the boundary"));
+  blame(!r.IntersectionsChecked || r.FreeOfIntersections(),
+    count(r.SelfIntersections, "self-intersections of the boundary"));
   if (r.HasSurface)
   {
     blame(r.TopologyMatches(),

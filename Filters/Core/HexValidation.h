@@ -41,7 +41,8 @@ enum HexDefect : std::uint32_t
   MisorientedFaceHex = 1 << 8,  ///< a face that the neighbour sees in the same direction
   NonManifoldBoundary = 1 << 9, ///< has a boundary quad at a non-manifold edge or vertex
   SelfIntersecting = 1 << 10,   ///< has a boundary quad that meets another one
-  BeyondTolerance = 1 << 11     ///< has a boundary quad beyond, or closest to a surface point beyond
+  /// Has a boundary quad beyond, or closest to a surface point beyond.
+  BeyondTolerance = 1 << 11
 };
 
 /// Name of a single defect, e.g. "NotCertified".
@@ -53,12 +54,12 @@ struct OffendingHex
   std::uint32_t Defects = 0; ///< HexDefect, combined
 };
 
-/// The verdict on a mesh. Lengths named Hausdorff are fractions of the surface's diagonal; volumes and
-/// areas are in model units.
+/// The verdict on a mesh. Lengths named Hausdorff are fractions of the surface's diagonal; volumes
+/// and areas are in model units.
 struct HexValidationReport
 {
-  /// Ok: the mesh keeps every promise that was checked. Validation: it doesn't, the message says which;
-  /// other codes: the validation itself could not be done (stopped, ids out of range).
+  /// Ok: the mesh keeps every promise that was checked. Validation: it doesn't, the message says
+  /// which; other codes: the validation itself could not be done (stopped, ids out of range).
   Status Result;
 
   HexTopology Topology;
@@ -71,7 +72,8 @@ struct HexValidationReport
   Index CertifiedValid = 0;
   Index CertifiedInvalid = 0;
   Index CertifiedUndecided = 0;
-  double MinimumJacobianRatio = 0.0; ///< certified: smallest / largest determinant, least over hexes
+  /// Certified: smallest / largest determinant, least over hexes.
+  double MinimumJacobianRatio = 0.0;
   double Volume = 0.0;               ///< sum over the hexes
 
   bool IntersectionsChecked = false; ///< false: not all points are finite
@@ -101,14 +103,15 @@ struct HexValidationReport
   bool VolumeFits() const;
   bool Valid() const; ///< all of them; those that need a surface only if there is one
 
-  /// All figures under their public names, in a fixed order: the one source of names for field data,
-  /// table, report and command line. Truth values are 0 or 1. Figures that need a surface are
+  /// All figures under their public names, in a fixed order: the one source of names for field
+  /// data, table, report and command line. Truth values are 0 or 1. Figures that need a surface are
   /// missing without one. Names are API.
   std::vector<std::pair<std::string, double>> Figures() const;
 };
 
-/// Measures everything. @a surface may be null; features need the ids of its points. Never fails: broken meshes, empty ones and ids out of
-/// range give a report that is not Valid(). Parallel, the same bits for any number of threads.
+/// Measures everything. @a surface may be null; features need the ids of its points. Never fails:
+/// broken meshes, empty ones and ids out of range give a report that is not Valid(). Parallel, the
+/// same bits for any number of threads.
 HexValidationReport ValidateHexMesh(const HexMesh& mesh, const SurfaceMesh* surface,
   const HexValidationOptions& options, Monitor& monitor);
 

@@ -314,7 +314,8 @@ private:
       {
         const Cycle cycle = CompareCycles(first, FaceOf(mesh, uses[j].Code));
         state |= Interior | (j - i > 1 ? OverusedFace : 0) |
-          (cycle == Cycle::Twisted ? TwistedFace : 0) | (cycle == Cycle::Same ? MisorientedFace : 0);
+                 (cycle == Cycle::Twisted ? TwistedFace : 0) |
+                 (cycle == Cycle::Same ? MisorientedFace : 0);
       }
       for (std::size_t k = i; k < j; ++k)
       {
@@ -577,8 +578,10 @@ Index CountCoincidentPoints(const std::vector<Vec3>& points, double tolerance)
     for (int d = 0; d < 3; ++d)
     {
       const double x = points[i][d] - box.Low[d];
-      low[d] = static_cast<std::int64_t>(std::clamp(std::floor((x - tolerance) / cell), -9e18, 9e18));
-      high[d] = static_cast<std::int64_t>(std::clamp(std::floor((x + tolerance) / cell), -9e18, 9e18));
+      low[d] =
+        static_cast<std::int64_t>(std::clamp(std::floor((x - tolerance) / cell), -9e18, 9e18));
+      high[d] =
+        static_cast<std::int64_t>(std::clamp(std::floor((x + tolerance) / cell), -9e18, 9e18));
     }
     for (std::int64_t a = low[0]; a <= high[0]; ++a)
     {
@@ -586,8 +589,9 @@ Index CountCoincidentPoints(const std::vector<Vec3>& points, double tolerance)
       {
         for (std::int64_t c = low[2]; c <= high[2]; ++c)
         {
-          const std::uint64_t hash = Mix(Mix(Mix(0, static_cast<std::uint64_t>(a)),
-                                           static_cast<std::uint64_t>(b)), static_cast<std::uint64_t>(c));
+          const std::uint64_t hash =
+            Mix(Mix(Mix(0, static_cast<std::uint64_t>(a)), static_cast<std::uint64_t>(b)),
+              static_cast<std::uint64_t>(c));
           entries.push_back({ hash, static_cast<Index>(i) });
         }
       }

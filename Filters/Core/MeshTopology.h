@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Connectivity of a finished mesh: conformity, boundary, manifoldness, components, genus, cavities,
-/// singular edges. Works on ids; coordinates decide only volumes and coincident points.
+/// Connectivity of a finished mesh: conformity, boundary, manifoldness, components, genus,
+/// cavities, singular edges. Works on ids; coordinates decide only volumes and coincident points.
 
 #ifndef featurehex_MeshTopology_h
 #define featurehex_MeshTopology_h
@@ -26,7 +26,8 @@ struct SurfaceTopology
   Index EulerCharacteristic = 0; ///< sum over the components
   Index Cavities = 0;            ///< components with negative volume: they bound a void
   double Volume = 0.0;           ///< signed, of all components; faces seen as bilinear patches
-  double Area = 0.0;             ///< triangles exact; quads: half the cross product of the diagonals
+  /// Triangles exact; quads: half the cross product of the diagonals.
+  double Area = 0.0;
   Index OpenEdges = 0;           ///< edges of one face
   Index NonManifoldEdges = 0;    ///< edges of three faces or more
   Index MisorientedEdges = 0;    ///< edges that two faces run through in the same direction
@@ -49,8 +50,8 @@ SurfaceTopology AnalyzeSurface(
   const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 SurfaceTopology AnalyzeSurface(const std::vector<Vec3>& points, const std::vector<Quad>& quads);
 
-/// Both closed manifolds with the same components, sorted genera and cavities. Cavities are compared up
-/// to the orientation of the whole surface.
+/// Both closed manifolds with the same components, sorted genera and cavities. Cavities are
+/// compared up to the orientation of the whole surface.
 bool SameTopology(const SurfaceTopology& a, const SurfaceTopology& b);
 
 /// The boundary of a hex mesh: faces of exactly one hex.
@@ -64,7 +65,8 @@ struct HexBoundary
 struct FaceDefects
 {
   std::vector<Index> Overused;    ///< hexes with a face that three hexes or more share
-  std::vector<Index> Twisted;     ///< hexes with a face that its neighbour runs through in another order
+  /// Hexes with a face that its neighbour runs through in another order.
+  std::vector<Index> Twisted;
   std::vector<Index> Misoriented; ///< hexes with a face that both hexes see in the same direction
 };
 
@@ -100,9 +102,9 @@ struct HexTopology
   }
 };
 
-/// Everything about the connectivity. Ids must exist. Points count as coincident within 1e-12 of the
-/// bounding box diagonal. Faces are matched by a counting sort on their lowest id: linear time, 24
-/// bytes per hex for the faces, parallel, the same result for any number of threads.
+/// Everything about the connectivity. Ids must exist. Points count as coincident within 1e-12 of
+/// the bounding box diagonal. Faces are matched by a counting sort on their lowest id: linear time,
+/// 24 bytes per hex for the faces, parallel, the same result for any number of threads.
 HexTopology AnalyzeHexMesh(const HexMesh& mesh);
 
 /// Only the boundary quads, with their hexes. Ids must exist.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The distortion at the corners of a hex as a function of one of its vertices, in closed form (design 4).
+/// The distortion at the corners of a hex as a function of one of its vertices, in closed form
+/// (design 4).
 
 #ifndef featurehex_MipsEnergy_h
 #define featurehex_MipsEnergy_h
@@ -11,15 +12,16 @@
 
 namespace featurehex
 {
-/// One corner as a function of the moving vertex: S = |J|^2 (quadratic, Hessian 2 Edges I) and D = det J (affine),
-/// J the three edge vectors.
+/// One corner as a function of the moving vertex: S = |J|^2 (quadratic, Hessian 2 Edges I) and D =
+/// det J (affine), J the three edge vectors.
 struct MipsCorner
 {
   double S, D, Edges;
   Vec3 GradS, GradD;
 };
 
-/// The four corners of a hex that depend on its vertex @a corner. @a point(i): position of the i-th vertex.
+/// The four corners of a hex that depend on its vertex @a corner. @a point(i): position of the i-th
+/// vertex.
 template <typename PointOf>
 std::array<MipsCorner, 4> MipsCornersAt(const PointOf& point, int corner)
 {
@@ -39,7 +41,8 @@ std::array<MipsCorner, 4> MipsCornersAt(const PointOf& point, int corner)
     const Vec3 b = point(n.First) - apex;
     const Vec3 c = point(n.Second) - apex;
     const Vec3 bc = b.cross(c);
-    corners[1 + r] = { a.squaredNorm() + b.squaredNorm() + c.squaredNorm(), a.dot(bc), 1.0, 2 * a, bc };
+    corners[1 + r] = { a.squaredNorm() + b.squaredNorm() + c.squaredNorm(), a.dot(bc), 1.0, 2 * a,
+      bc };
   }
   return corners;
 }
@@ -51,16 +54,16 @@ inline double MipsValue(double s, double det)
   return scale * s * std::sqrt(s) / det;
 }
 
-/// Value, gradient and Hessian of a sum of corners. The Hessian of a corner with its true determinant is
-/// positive semidefinite: x^3 / y is convex, and |J| is convex in the vertex.
+/// Value, gradient and Hessian of a sum of corners. The Hessian of a corner with its true
+/// determinant is positive semidefinite: x^3 / y is convex, and |J| is convex in the vertex.
 struct MipsSum
 {
   double Value = 0;
   Vec3 Gradient = Vec3::Zero();
   Mat3 Hessian = Mat3::Zero();
 
-  /// @a det: the determinant or its regularisation, with the derivative @a slope by the determinant. The
-  /// second derivative of the regularisation is dropped (Gauss-Newton).
+  /// @a det: the determinant or its regularisation, with the derivative @a slope by the
+  /// determinant. The second derivative of the regularisation is dropped (Gauss-Newton).
   void Add(const MipsCorner& corner, double det, double slope)
   {
     const double f = MipsValue(corner.S, det);

@@ -56,7 +56,8 @@ public:
       {
         this->Stop = Status(StatusCode::TimeLimit,
           "The time limit of " + std::to_string(this->Seconds) + " s was reached while " +
-            this->Phase + ". Raise TimeLimit, or raise TargetEdgeLength or Tolerance for a coarser mesh.");
+            this->Phase +
+            ". Raise TimeLimit, or raise TargetEdgeLength or Tolerance for a coarser mesh.");
       }
     }
     return this->Stop.Ok();

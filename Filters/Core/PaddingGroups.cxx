@@ -14,13 +14,16 @@ namespace featurehex
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-constexpr double IgnoredShare = 0.02;           // of the length of a curve, at either end of its angles
+/// Of the length of a curve, at either end of its angles.
+constexpr double IgnoredShare = 0.02;
 constexpr double WidestQuadAngle = 150.0 / 180 * Pi; // that a layer may leave at a corner
 constexpr double LeastCornerJacobian = 0.2;     // of the one hex where three layers cross
-constexpr double LeastGain = -0.05; // of one hex against two: it also has no quad with two edges on the curve
+/// Of one hex against two: it also has no quad with two edges on the curve.
+constexpr double LeastGain = -0.05;
 
-/// The curves of a surface with their dihedral angles. Slivers of CAD exports point anywhere: the normals on the
-/// two sides are those of all triangles of the patch round a curve point, weighted by area.
+/// The curves of a surface with their dihedral angles. Slivers of CAD exports point anywhere: the
+/// normals on the two sides are those of all triangles of the patch round a curve point, weighted
+/// by area.
 class CreaseAngles
 {
 public:
@@ -60,8 +63,10 @@ private:
   /// Interior angle between the two sides of an edge of the curve.
   double InteriorAngle(const FeatureCurve& curve, Index a, Index b) const
   {
-    const auto normal = [&](int patch) {
-      return Vec3(this->Normals.at({ a, patch }) + this->Normals.at({ b, patch })).stableNormalized();
+    const auto normal = [&](int patch)
+    {
+      return Vec3(this->Normals.at({ a, patch }) + this->Normals.at({ b, patch }))
+        .stableNormalized();
     };
     const Vec3 left = normal(curve.LeftPatch);
     const Vec3 right = normal(curve.RightPatch);
@@ -187,7 +192,8 @@ bool Grouping::Crossable(const std::vector<Sector>& sectors) const
     -sectors[0].Start.dot(sectors[1].Start.cross(sectors[2].Start)) > LeastCornerJacobian;
 }
 
-/// Joins two neighbouring groups: such that the layers can cross then, or where one hex gains least. False: no need.
+/// Joins two neighbouring groups: such that the layers can cross then, or where one hex gains
+/// least. False: no need.
 bool Grouping::MergeAt(const std::vector<Sector>& sectors)
 {
   if (this->Crossable(sectors))

@@ -36,8 +36,8 @@ void ParallelFor(std::size_t count, std::size_t grain, const Body& body)
     });
 }
 
-/// The same in some 20 batches; @a monitor may be null, else it is asked before each. False: it said
-/// stop, and the rest was left out.
+/// The same in some 20 batches; @a monitor may be null, else it is asked before each. False: it
+/// said stop, and the rest was left out.
 template <typename Body>
 bool ParallelFor(std::size_t count, std::size_t grain, Monitor* monitor, const Body& body)
 {

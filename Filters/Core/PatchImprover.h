@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Frees the last bad hexes: all vertices of a small neighbourhood at once, by Newton on the barrier.
+/// Frees the last bad hexes: all vertices of a small neighbourhood at once, by Newton on the
+/// barrier.
 
 #ifndef featurehex_PatchImprover_h
 #define featurehex_PatchImprover_h
@@ -10,14 +11,15 @@
 
 namespace featurehex
 {
-/// Patch solves of recipe-quality 2.5: the vertices of a bad hex and one or two rings, the barrier of
-/// BarrierFunction.h on all corners, 9x9 corner Hessians projected to be positive, sparse factorisation,
-/// Levenberg-Marquardt. Same hard checks as VertexImprover. Sequential: there are few patches.
+/// Patch solves of recipe-quality 2.5: the vertices of a bad hex and one or two rings, the barrier
+/// of BarrierFunction.h on all corners, 9x9 corner Hessians projected to be positive, sparse
+/// factorisation, Levenberg-Marquardt. Same hard checks as VertexImprover. Sequential: there are
+/// few patches.
 class PatchImprover
 {
 public:
-  PatchImprover(
-    HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, const VertexImprover& vertices);
+  PatchImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope,
+    const VertexImprover& vertices);
 
   /// Worst hex first, until none is below @a target or @a maximumPatches are solved.
   void RaiseWorst(double target, int maximumPatches, Monitor& monitor);

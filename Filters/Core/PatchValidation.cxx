@@ -38,9 +38,11 @@ Index EulerCharacteristic(const std::vector<Face>& faces)
   constexpr Index corners = std::tuple_size<Face>::value;
   const std::vector<FaceEdge> edges = EdgesOf(faces);
   DisjointSets fans(corners * faces.size());
-  const auto slot = [&](Index face, Index vertex) {
-    return corners * face + static_cast<Index>(std::find(faces[face].begin(), faces[face].end(), vertex) -
-                              faces[face].begin());
+  const auto slot = [&](Index face, Index vertex)
+  {
+    return corners * face +
+           static_cast<Index>(
+             std::find(faces[face].begin(), faces[face].end(), vertex) - faces[face].begin());
   };
   Index numberOfEdges = 0;
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -206,10 +208,9 @@ void PatchJudge::CheckEdges(const std::vector<ChainEdge>& chains)
     }
     const int upward = this->PatchOf(one.Upward ? one.Face : other.Face);
     const int downward = this->PatchOf(one.Upward ? other.Face : one.Face);
-    const auto chain =
-      std::lower_bound(chains.begin(), chains.end(), one, [](const ChainEdge& a, const FaceEdge& b) {
-        return std::tie(a.Low, a.High) < std::tie(b.Low, b.High);
-      });
+    const auto chain = std::lower_bound(chains.begin(), chains.end(), one,
+      [](const ChainEdge& a, const FaceEdge& b)
+      { return std::tie(a.Low, a.High) < std::tie(b.Low, b.High); });
     if (chain == chains.end() || chain->Low != one.Low || chain->High != one.High)
     {
       if (upward == downward)
@@ -283,7 +284,8 @@ void PatchJudge::CheckShape(int patch, double tolerance)
       const Vec3& p = this->Mesh.Points[quad[k]];
       const Vec3 middle = 0.5 * (p + this->Mesh.Points[quad[(k + 1) % 4]]);
       center += 0.25 * p;
-      deviation = std::max({ deviation, search.Closest(p).Distance, search.Closest(middle).Distance });
+      deviation =
+        std::max({ deviation, search.Closest(p).Distance, search.Closest(middle).Distance });
     }
     deviation = std::max(deviation, search.Closest(center).Distance);
   }
@@ -329,7 +331,8 @@ std::vector<FeatureFinding> PatchJudge::Judge(
     {
       const Triangle& v = this->Surface.Triangles[t];
       this->Findings[patch].Where =
-        (this->Surface.Points[v[0]] + this->Surface.Points[v[1]] + this->Surface.Points[v[2]]) / 3.0;
+        (this->Surface.Points[v[0]] + this->Surface.Points[v[1]] + this->Surface.Points[v[2]]) /
+        3.0;
       placed[patch] = true;
     }
   }

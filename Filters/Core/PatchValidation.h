@@ -16,7 +16,10 @@ struct FaceEdge
   Index Face = -1;
   bool Upward = false; ///< the face runs from Low to High
 
-  bool Joins(const FaceEdge& other) const { return this->Low == other.Low && this->High == other.High; }
+  bool Joins(const FaceEdge& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
 };
 
 /// By their points.

@@ -51,9 +51,9 @@ struct LengthBounds
   double Upper = 0.0;
 };
 
-/// Largest distance of a point of @a from to @a to, one way. The distance to a segment is convex, so
-/// that over a piece of a segment it is largest at an end (design 5); pieces are halved until the
-/// bounds differ by at most @a accuracy, or 1 % where the distance is larger.
+/// Largest distance of a point of @a from to @a to, one way. The distance to a segment is convex,
+/// so that over a piece of a segment it is largest at an end (design 5); pieces are halved until
+/// the bounds differ by at most @a accuracy, or 1 % where the distance is larger.
 LengthBounds LargestDistance(const Polyline& from, const Polyline& to, double accuracy);
 } // namespace featurehex
 

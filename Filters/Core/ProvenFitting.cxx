@@ -9,7 +9,8 @@ namespace featurehex
 {
 namespace
 {
-constexpr double RefineBeyond = 1.4;  // tolerances: the improvement repairs the rest (recipe-pipeline 2.8)
+/// Tolerances: the improvement repairs the rest (recipe-pipeline 2.8).
+constexpr double RefineBeyond = 1.4;
 constexpr double RefineBeyondWithFeatures = 4.0; // vertices beside creases arrive late
 constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
 constexpr Index QuadsPerQuestion = 1000;

@@ -37,8 +37,9 @@ struct ProvenFittingReport
   ImprovementReport Improvement;
 };
 
-/// Fits a mesh without inverted hexes to a surface. Where the proof of the distance fails, the samples were too
-/// coarse: its witnesses become samples, the limit gets a little tighter, and the improvement runs again.
+/// Fits a mesh without inverted hexes to a surface. Where the proof of the distance fails, the
+/// samples were too coarse: its witnesses become samples, the limit gets a little tighter, and the
+/// improvement runs again.
 class ProvenFitting
 {
 public:

@@ -27,9 +27,12 @@ QuadGraph::QuadGraph(const std::vector<Quad>& quads, std::size_t numberOfPoints)
     }
     ++this->Valences[tail];
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::array<Index, 3>{ a.Low, a.High, a.Dart } < std::array<Index, 3>{ b.Low, b.High, b.Dart };
-  });
+  std::sort(sides.begin(), sides.end(),
+    [](const Side& a, const Side& b)
+    {
+      return std::array<Index, 3>{ a.Low, a.High, a.Dart } <
+             std::array<Index, 3>{ b.Low, b.High, b.Dart };
+    });
   for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
   {
     this->Opposites[sides[i].Dart] = sides[i + 1].Dart;

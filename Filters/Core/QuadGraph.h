@@ -9,8 +9,8 @@
 
 namespace featurehex
 {
-/// Dart 4 q + k is side k of quad q, from its k-th vertex to the next; the quad is on its left (seen
-/// from outside). Vertices have the ids of the quads that were given.
+/// Dart 4 q + k is side k of quad q, from its k-th vertex to the next; the quad is on its left
+/// (seen from outside). Vertices have the ids of the quads that were given.
 class QuadGraph
 {
 public:
@@ -32,7 +32,8 @@ public:
   /// The dart from @a u to @a v; -1: no edge.
   Index Find(Index u, Index v) const;
 
-  /// Quads on the left of the turn from @a incoming to @a outgoing, which leaves where that arrives.
+  /// Quads on the left of the turn from @a incoming to @a outgoing, which leaves where that
+  /// arrives.
   int QuadsOnLeft(Index incoming, Index outgoing) const;
   /// Darts counter-clockwise from @a first to @a second, which leave the same vertex.
   int Steps(Index first, Index second) const;

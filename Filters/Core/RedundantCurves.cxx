@@ -63,8 +63,9 @@ public:
   /// The same for all points from @a a to @a b. Ends often are: samples start from the middle.
   bool NearAlong(const Vec3& a, const Vec3& b, Index except) const
   {
-    const int pieces = std::clamp(
-      static_cast<int>(std::ceil((b - a).norm() / (SampleSpacing * this->Distance))), 1, MaximumSamples);
+    const int pieces =
+      std::clamp(static_cast<int>(std::ceil((b - a).norm() / (SampleSpacing * this->Distance))), 1,
+        MaximumSamples);
     for (int k = 0; k < pieces; ++k)
     {
       if (!this->Near(a + (k + 0.5) / pieces * (b - a), except))

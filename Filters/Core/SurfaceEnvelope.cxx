@@ -102,7 +102,8 @@ EnvelopeContact SurfaceEnvelope::ClosestOnQuad(Index sample, Index quad) const
   return contact;
 }
 
-/// The point of the quad that was closest the last time; infinitely far when it was on another quad.
+/// The point of the quad that was closest the last time; infinitely far when it was on another
+/// quad.
 EnvelopeContact SurfaceEnvelope::AtWitness(Index sample, Index quad) const
 {
   const Witness& witness = this->Witnesses[sample];
@@ -122,7 +123,8 @@ EnvelopeContact SurfaceEnvelope::AtWitness(Index sample, Index quad) const
   return contact;
 }
 
-/// Closest on the quad itself; when that is not near enough and lies on an edge, also on the quads next to it.
+/// Closest on the quad itself; when that is not near enough and lies on an edge, also on the quads
+/// next to it.
 EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double enough)
 {
   EnvelopeContact best = this->AtWitness(sample, quad);
@@ -364,11 +366,13 @@ EnvelopeContact SurfaceEnvelope::WorstReverse(Index quad, double threshold) cons
 
 double SurfaceEnvelope::ForwardMaximum() const
 {
-  return this->Forward.empty() ? 0.0 : *std::max_element(this->Forward.begin(), this->Forward.end());
+  return this->Forward.empty() ? 0.0
+                               : *std::max_element(this->Forward.begin(), this->Forward.end());
 }
 
 double SurfaceEnvelope::ReverseMaximum() const
 {
-  return this->Reverse.empty() ? 0.0 : *std::max_element(this->Reverse.begin(), this->Reverse.end());
+  return this->Reverse.empty() ? 0.0
+                               : *std::max_element(this->Reverse.begin(), this->Reverse.end());
 }
 }

@@ -21,45 +21,49 @@ struct EnvelopeContact
   double Distance = 0.0;
 };
 
-/// Answers "does the boundary stay within a limit of the surface, both ways, if this vertex moves?" fast enough
-/// to be asked for every move (recipe-quality 2).
+/// Answers "does the boundary stay within a limit of the surface, both ways, if this vertex moves?"
+/// fast enough to be asked for every move (recipe-quality 2).
 ///
-/// Forward: a grid of points on each boundary quad, each with its last closest triangle. Reverse: samples of
-/// the input, each owned by a quad close to it. Both distances change by no more than the vertex moves, so
-/// each quad carries an upper bound that is simply raised until it would reach the limit; only then are
-/// its samples measured again. A measurement first tries the triangle, or the point of the quad, that was
-/// closest the last time: when that is near enough, nothing is searched.
+/// Forward: a grid of points on each boundary quad, each with its last closest triangle. Reverse:
+/// samples of the input, each owned by a quad close to it. Both distances change by no more than
+/// the vertex moves, so each quad carries an upper bound that is simply raised until it would reach
+/// the limit; only then are its samples measured again. A measurement first tries the triangle, or
+/// the point of the quad, that was closest the last time: when that is near enough, nothing is
+/// searched.
 ///
-/// A call for a vertex touches the quads round it and passes samples on to quads next to those: calls run
-/// beside each other under a VertexSchedule with 3 rings.
+/// A call for a vertex touches the quads round it and passes samples on to quads next to those:
+/// calls run beside each other under a VertexSchedule with 3 rings.
 class SurfaceEnvelope
 {
 public:
-  /// Keeps references. @a grid: points per quad side, >= 2. @a monitor is asked during Rebuild(), Update()
-  /// and Measure(); when it says stop they end early, and what this object knows is wrong.
+  /// Keeps references. @a grid: points per quad side, >= 2. @a monitor is asked during Rebuild(),
+  /// Update() and Measure(); when it says stop they end early, and what this object knows is wrong.
   SurfaceEnvelope(const SurfaceGeometry& surface, const std::vector<Vec3>& samples,
     const HexMesh& mesh, const HexStars& stars, int grid, Monitor* monitor = nullptr);
 
   /// Give each sample to its closest quad (search over the whole boundary). Bounds become unknown.
   void Rebuild();
 
-  /// As Rebuild(), but each sample farther than @a enough walks from its quad to closer ones next to it.
+  /// As Rebuild(), but each sample farther than @a enough walks from its quad to closer ones next
+  /// to it.
   void Update(double enough);
 
-  /// Measure the quads whose bound is beyond @a enough: afterwards a bound beyond it is the sampled distance.
+  /// Measure the quads whose bound is beyond @a enough: afterwards a bound beyond it is the sampled
+  /// distance.
   void Measure(double enough);
 
   /// Largest sampled distance known for the quads round @a vertex (an upper bound).
   double BoundAround(Index vertex) const;
 
-  /// Vertices of @a quads have just been moved by up to @a shift. True: the quads stay within @a limit, and
-  /// the state is updated. False: they don't; the caller moves the vertices back.
+  /// Vertices of @a quads have just been moved by up to @a shift. True: the quads stay within
+  /// @a limit, and the state is updated. False: they don't; the caller moves the vertices back.
   bool AcceptMove(IdLists::Range quads, double shift, double limit);
 
   /// Appends the contacts of @a quad farther than @a threshold.
   void Collect(Index quad, double threshold, std::vector<EnvelopeContact>& contacts);
 
-  /// Farthest sample of the input owned by @a quad; Quad = -1 when none is farther than @a threshold.
+  /// Farthest sample of the input owned by @a quad; Quad = -1 when none is farther than
+  /// @a threshold.
   EnvelopeContact WorstReverse(Index quad, double threshold) const;
 
   /// Upper bounds of the sampled distances, whole boundary.

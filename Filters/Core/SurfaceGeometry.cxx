@@ -82,7 +82,8 @@ std::vector<Vec3> SurfaceGeometry::Samples(double spacing) const
     {
       for (int j = 1; i + j < n; ++j)
       {
-        samples.push_back(a + ab * (static_cast<double>(i) / n) + ac * (static_cast<double>(j) / n));
+        samples.push_back(
+          a + ab * (static_cast<double>(i) / n) + ac * (static_cast<double>(j) / n));
       }
     }
   }

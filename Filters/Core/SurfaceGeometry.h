@@ -23,8 +23,9 @@ public:
   /// Unit normal interpolated from area-weighted point normals; zero where they cancel.
   Vec3 NormalAt(const TrianglePoint& point) const;
 
-  /// All points, and points on edges and triangles longer than @a spacing: no point of the surface is
-  /// farther than about @a spacing / sqrt(3) from a sample. Order: points, then edges and interiors by triangle.
+  /// All points, and points on edges and triangles longer than @a spacing: no point of the surface
+  /// is farther than about @a spacing / sqrt(3) from a sample. Order: points, then edges and
+  /// interiors by triangle.
   std::vector<Vec3> Samples(double spacing) const;
 
 private:

@@ -67,9 +67,10 @@ struct AutomaticSizing
   int MaximumSizingLevel;   ///< SizingOptions
 };
 
-/// Without features the boundary follows the surface everywhere by fine cells (the paper's 26). With features flat patches
-/// need none, and the layers under both sides of a thin wall add hexes across it. Measured on the CAD corpus: half the
-/// hexes and half the time of the other choice, median of the least scaled Jacobian 0.54 instead of 0.49.
+/// Without features the boundary follows the surface everywhere by fine cells (the paper's 26).
+/// With features flat patches need none, and the layers under both sides of a thin wall add hexes
+/// across it. Measured on the CAD corpus: half the hexes and half the time of the other choice,
+/// median of the least scaled Jacobian 0.54 instead of 0.49.
 constexpr AutomaticSizing AutomaticSizingFor(bool features)
 {
   return features ? AutomaticSizing{ 18, 1.0, 3 } : AutomaticSizing{ 26, 2.0, 2 };

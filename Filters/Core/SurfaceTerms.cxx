@@ -8,7 +8,8 @@ namespace featurehex
 namespace
 {
 // Shares of the local size (recipe-pipeline 2.7).
-constexpr double NearSurface = 0.05; // closer: the smooth normal of the surface counts, not the direction
+/// Closer: the smooth normal of the surface counts, not the direction.
+constexpr double NearSurface = 0.05;
 constexpr double TargetReach = 0.5;  // targets are no farther than this
 constexpr double SpreadReach = 0.3;  // farthest pull along a curve
 constexpr double SpreadWeight = 20;  // of that pull
@@ -87,8 +88,8 @@ void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight, double f
   });
 }
 
-void SurfaceTerms::UpdateReverse(HexOptimizer& optimizer, const SurfaceEnvelope& envelope, double weight,
-  double threshold) const
+void SurfaceTerms::UpdateReverse(
+  HexOptimizer& optimizer, const SurfaceEnvelope& envelope, double weight, double threshold) const
 {
   ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
     const EnvelopeContact worst = envelope.WorstReverse(static_cast<Index>(q), threshold);
@@ -107,7 +108,8 @@ SurfaceTerm SurfaceTerms::FeatureTerm(Index v, double size, double weight) const
   if (this->Features->KindOf(v) == FeatureKind::Curve)
   {
     const CurvePoint closest = this->Features->OnCurve(v, p);
-    const double ahead = std::clamp(this->Features->SpreadFrom(v, closest.Arc), -SpreadReach * size, SpreadReach * size);
+    const double ahead = std::clamp(
+      this->Features->SpreadFrom(v, closest.Arc), -SpreadReach * size, SpreadReach * size);
     const double share = std::min(1.0, SpreadWeight / weight);
     term.Target = closest.Point + ahead * closest.Tangent;
     term.Normal = closest.Tangent;

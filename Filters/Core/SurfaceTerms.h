@@ -18,14 +18,14 @@ public:
   SurfaceTerms(const HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& surface,
     const FeatureTargets* features = nullptr);
 
-  /// Each boundary vertex and the centre of each boundary quad gets the tangent plane at the closest point of the
-  /// surface, with features of its patch; far from it, a target in that direction. Feature vertices
-  /// get their corner or the tangent of their curve.
+  /// Each boundary vertex and the centre of each boundary quad gets the tangent plane at the
+  /// closest point of the surface, with features of its patch; far from it, a target in that
+  /// direction. Feature vertices get their corner or the tangent of their curve.
   /// @a featureWeight: of corners and curves.
   void UpdatePlanes(HexOptimizer& optimizer, double weight, double featureWeight);
 
-  /// Each quad is drawn to the sample of the input that is farthest from it. @a threshold (model units):
-  /// closer samples exert no pull.
+  /// Each quad is drawn to the sample of the input that is farthest from it. @a threshold (model
+  /// units): closer samples exert no pull.
   void UpdateReverse(HexOptimizer& optimizer, const SurfaceEnvelope& envelope, double weight,
     double threshold) const;
 

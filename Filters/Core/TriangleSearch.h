@@ -20,13 +20,14 @@ struct TrianglePoint
   Index Triangle = -1; ///< -1: nothing within the search radius
 };
 
-/// Closest point of the triangle a b c to p (C. Ericson, Real-Time Collision Detection, 2005, 5.1.5).
+/// Closest point of the triangle a b c to p (C. Ericson, Real-Time Collision Detection, 2005,
+/// 5.1.5).
 TrianglePoint ClosestPointOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Spatial search in triangles. Embree works in single precision on recentred, scaled coordinates; every
-/// candidate is measured in double and the search radius is inflated by the rounding error, so that
-/// the answer is that of a search in doubles. Ties go to the lowest triangle id: the answer does not
-/// depend on the hierarchy. Queries are const and may run in parallel.
+/// Spatial search in triangles. Embree works in single precision on recentred, scaled coordinates;
+/// every candidate is measured in double and the search radius is inflated by the rounding error,
+/// so that the answer is that of a search in doubles. Ties go to the lowest triangle id: the answer
+/// does not depend on the hierarchy. Queries are const and may run in parallel.
 class TriangleSearch
 {
 public:

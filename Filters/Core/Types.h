@@ -69,7 +69,8 @@ inline Box BoundingBox(const SurfaceMesh& surface)
   return box;
 }
 
-/// The three edge neighbours of each hex corner, ordered so that det(e0, e1, e2) > 0 for a valid hex.
+/// The three edge neighbours of each hex corner, ordered so that det(e0, e1, e2) > 0 for a valid
+/// hex.
 constexpr int HexCornerNeighbors[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
   { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
 

@@ -57,7 +57,8 @@ double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
   // Corner of the hex at (i, j, k) of the unit cube.
   static constexpr int at[2][2][2] = { { { 0, 4 }, { 3, 7 } }, { { 1, 5 }, { 2, 6 } } };
   const Hex& h = mesh.Hexes[hex];
-  const auto point = [&](int i, int j, int k) -> const Vec3& { return mesh.Points[h[at[i][j][k]]]; };
+  const auto point = [&](int i, int j, int k) -> const Vec3&
+  { return mesh.Points[h[at[i][j][k]]]; };
   Vec3 du[2][2], dv[2][2], dw[2][2];
   for (int a = 0; a < 2; ++a)
   {
@@ -104,7 +105,8 @@ double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
   return least;
 }
 
-/// A corner of an incident hex as a function of the vertex, which is its apex or the end of one of its edges.
+/// A corner of an incident hex as a function of the vertex, which is its apex or the end of one of
+/// its edges.
 struct VertexImprover::Corner
 {
   bool Apex = true;
@@ -333,7 +335,8 @@ TrianglePoint VertexImprover::ClosestOnSurface(
 {
   const bool matched =
     this->FeaturesOfMesh && this->FeaturesOfMesh->KindOf(vertex) == FeatureKind::Surface;
-  const SurfaceGeometry& target = matched ? this->FeaturesOfMesh->PatchAt(vertex, surface) : surface;
+  const SurfaceGeometry& target =
+    matched ? this->FeaturesOfMesh->PatchAt(vertex, surface) : surface;
   const TrianglePoint closest = target.Search().Closest(p);
   normal = target.Search().Normal(closest.Triangle);
   return closest;
@@ -503,8 +506,8 @@ bool VertexImprover::RaiseMinimum(Index vertex)
       star.Allowed(-scale * pull.Gradient) });
   }
 
-  // Proximal step d = rho sum(lambda g), lambda on the simplex minimising rho/2 |sum lambda g|^2 + sum lambda s:
-  // pairwise Frank-Wolfe.
+  // Proximal step d = rho sum(lambda g), lambda on the simplex minimising rho/2 |sum lambda g|^2 +
+  // sum lambda s: pairwise Frank-Wolfe.
   const double rho = LongestStep * star.Length * star.Length;
   static thread_local std::vector<double> lambda;
   lambda.assign(values.size(), 0.0);
@@ -608,7 +611,8 @@ double VertexImprover::WithPulls(
   return energy;
 }
 
-/// Newton step of the model, limited by the shortest edge; zero when shorter than @a least mean edge lengths.
+/// Newton step of the model, limited by the shortest edge; zero when shorter than @a least mean
+/// edge lengths.
 Vec3 VertexImprover::StepOf(const Model& model, const Star& star, double least)
 {
   Vec3 step;
@@ -756,8 +760,9 @@ bool VertexImprover::Project(Index vertex, const SurfaceGeometry& surface, doubl
   static thread_local Star star;
   this->Gather(vertex, star);
   Vec3 normal;
-  const Vec3 target = onFeature ? features->Project(vertex, star.Position)
-                                : this->ClosestOnSurface(vertex, star.Position, surface, normal).Point;
+  const Vec3 target = onFeature
+                        ? features->Project(vertex, star.Position)
+                        : this->ClosestOnSurface(vertex, star.Position, surface, normal).Point;
   if (target == star.Position)
   {
     if (onFeature)

@@ -17,8 +17,8 @@ double CornerScaledJacobian(const HexMesh& mesh, const Hex& hex, int corner);
 /// Least corner scaled Jacobian of a hex; -1 when an edge has no length.
 double LeastScaledJacobian(const HexMesh& mesh, Index hex);
 
-/// Least of the 27 Bezier coefficients of the Jacobian determinant of a hex: positive means that the whole
-/// element is valid (Johnen, Weill, Remacle 2017).
+/// Least of the 27 Bezier coefficients of the Jacobian determinant of a hex: positive means that
+/// the whole element is valid (Johnen, Weill, Remacle 2017).
 double LeastBezierCoefficient(const HexMesh& mesh, Index hex);
 
 /// Parameters of one barrier sweep (recipe-quality 2.4).
@@ -29,10 +29,10 @@ struct BarrierParameters
   double Gap;   ///< ... nor by more than this where it is below already
 };
 
-/// The moves of recipe-quality 2 for one vertex. Hard checks on every accepted move: the Bezier coefficients
-/// of the touching hexes stay positive (or don't fall where they weren't), the ratio of shortest to longest edge
-/// at the vertex stays above 0.2 (or doesn't fall), and the boundary stays inside the envelope.
-/// Calls for vertices more than three hexes apart may run in parallel.
+/// The moves of recipe-quality 2 for one vertex. Hard checks on every accepted move: the Bezier
+/// coefficients of the touching hexes stay positive (or don't fall where they weren't), the ratio
+/// of shortest to longest edge at the vertex stays above 0.2 (or doesn't fall), and the boundary
+/// stays inside the envelope. Calls for vertices more than three hexes apart may run in parallel.
 class VertexImprover
 {
 public:
@@ -41,7 +41,8 @@ public:
   VertexImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope, double limit,
     FeatureTargets* features = nullptr);
 
-  /// Raise the smallest scaled Jacobian round the vertex: steepest ascent of the minimum by a proximal bundle.
+  /// Raise the smallest scaled Jacobian round the vertex: steepest ascent of the minimum by a
+  /// proximal bundle.
   bool RaiseMinimum(Index vertex);
 
   /// Newton step on a moving barrier over the corners below Theta.
@@ -53,8 +54,8 @@ public:
   /// Newton step on the distortion near the surface; corners stay above min(their value, floor).
   bool RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor);
 
-  /// Move towards the closest surface point (of its patch), or to its corner or curve, where it is then locked;
-  /// corners of hexes stay above min(their value, floor). True: it got there.
+  /// Move towards the closest surface point (of its patch), or to its corner or curve, where it is
+  /// then locked; corners of hexes stay above min(their value, floor). True: it got there.
   bool Project(Index vertex, const SurfaceGeometry& surface, double floor);
 
   const FeatureTargets* Features() const { return this->FeaturesOfMesh; }

@@ -12,17 +12,18 @@ namespace featurehex
 {
 /// Gauss-Seidel sweeps that give the same bits for any number of threads.
 ///
-/// Vertices are taken in blocks of consecutive ids (ids follow a space-filling order, so that a block is
-/// a compact piece of the mesh). Blocks are coloured so that the vertices of two blocks of one colour are
-/// more than `rings` hexes apart: what a visit writes is out of reach of all visits that run beside it.
-/// Few colours and large blocks: with vertex colouring two threads were slower than one (design 4).
+/// Vertices are taken in blocks of consecutive ids (ids follow a space-filling order, so that a
+/// block is a compact piece of the mesh). Blocks are coloured so that the vertices of two blocks of
+/// one colour are more than `rings` hexes apart: what a visit writes is out of reach of all visits
+/// that run beside it. Few colours and large blocks: with vertex colouring two threads were slower
+/// than one (design 4).
 class VertexSchedule
 {
 public:
   VertexSchedule() = default;
 
-  /// @a rings: 1 when a visit reads the hexes round the vertex, 3 when it also moves ownership between quads
-  /// next to those of the vertex (SurfaceEnvelope).
+  /// @a rings: 1 when a visit reads the hexes round the vertex, 3 when it also moves ownership
+  /// between quads next to those of the vertex (SurfaceEnvelope).
   VertexSchedule(const std::vector<Hex>& hexes, const IdLists& hexesOfVertex, int rings);
 
   /// visit(v) for every vertex; colour after colour, the blocks of a colour in parallel. Returns

@@ -17,7 +17,8 @@ class vtkUnstructuredGrid;
 
 namespace featurehex
 {
-/// Runs @a work, which returns a Status; a file name that is not set and an exception become one too.
+/// Runs @a work, which returns a Status; a file name that is not set and an exception become one
+/// too.
 template <typename Work>
 Status Guarded(const char* fileName, const Work& work)
 {

@@ -8,10 +8,10 @@
  * optional: Region (reference of a hexahedron, 1 without), PatchId (of a quad, 0 without), CurveId
  * (of an edge, 0 without).
  *
- * A mesh of hexahedra alone that vtkFeatureHexMesher made with features (point arrays FeatureKind and
- * FeatureId, field data FeatureQuads and FeatureEdges) is written with its boundary quads (reference:
- * patch), feature edges (reference: curve) as edges and ridges, and feature corners (in Corners;
- * reference of the point: corner); vtkMeditMeshReader reads them back.
+ * A mesh of hexahedra alone that vtkFeatureHexMesher made with features (point arrays FeatureKind
+ * and FeatureId, field data FeatureQuads and FeatureEdges) is written with its boundary quads
+ * (reference: patch), feature edges (reference: curve) as edges and ridges, and feature corners (in
+ * Corners; reference of the point: corner); vtkMeditMeshReader reads them back.
  *
  * <b>Output:</b> the file. Coordinates read back with the same bits. It is written under another
  * name first, so that there is never half a file; an existing one stays when writing fails.

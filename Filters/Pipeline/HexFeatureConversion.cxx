@@ -151,7 +151,8 @@ Status LabelsFromGrid(vtkUnstructuredGrid* grid, FeatureLabels& labels)
       return MissingLabels("a value of FeatureKind is not 0, 1, 2 or 3");
     }
     labels.Kind[v] = static_cast<FeatureKind>(static_cast<int>(kind));
-    labels.Id[v] = id >= 0.0 && id < std::numeric_limits<Index>::max() ? static_cast<Index>(id) : -1;
+    labels.Id[v] =
+      id >= 0.0 && id < std::numeric_limits<Index>::max() ? static_cast<Index>(id) : -1;
   }
   return Status();
 }

@@ -23,7 +23,8 @@ struct RefinableQuads
   double EdgeLength = 0.0;          ///< of level 0; 0: unknown, points are not thinned
 };
 
-/// Appends points one level finer than the quads next to @a places; not those above @a maximumLevel.
+/// Appends points one level finer than the quads next to @a places; not those above
+/// @a maximumLevel.
 void AppendPlaces(const RefinableQuads& quads, const std::vector<Vec3>& places, int maximumLevel,
   const std::string& reason, std::vector<std::pair<RefinementPoint, std::string>>& points);
 } // namespace featurehex

@@ -25,7 +25,8 @@ Status Damaged(const std::string& what)
       ". Take the mesh as Hex Feature Mapping or a stage after it made it.");
 }
 
-/// Rows of integers; ids of points below @a points, the last number of a row below a limit of sanity.
+/// Rows of integers; ids of points below @a points, the last number of a row below a limit of
+/// sanity.
 template <std::size_t Size>
 Status ReadRows(vtkUnstructuredGrid* grid, const char* name,
   std::vector<std::array<Index, Size>>& rows)
@@ -217,11 +218,12 @@ Status StageFeatures::ReadMapped(
   const bool mapped = HasHexFeatures(grid);
   if (!mapped || !this->Any())
   {
-    warning = mapped
-      ? "The features of the mesh are not used: connect the surface and its feature graph."
-      : this->Any() ? "The feature graph is not used: the mesh has no features. Hex Feature Mapping, "
-                      "before Hex Padding, gives it some."
-                    : "";
+    warning =
+      mapped ? "The features of the mesh are not used: connect the surface and its feature graph."
+      : this->Any()
+        ? "The feature graph is not used: the mesh has no features. Hex Feature Mapping, "
+          "before Hex Padding, gives it some."
+        : "";
     return Status();
   }
   const Status status = HexFeaturesFromGrid(grid, quads, this->OfMesh);

@@ -37,8 +37,8 @@ public:
   void operator=(const StageFeatures&) = delete;
 
   /// @a surface, checked, is kept. A null @a graph, or one without curves: no features.
-  /// @param edgeLength target edge length: curves are cut short by TrimCells of it at corners that are
-  /// not enforced, as in the composite
+  /// @param edgeLength target edge length: curves are cut short by TrimCells of it at corners that
+  /// are not enforced, as in the composite
   Status Read(const SurfaceMesh& surface, vtkPolyData* graph, double edgeLength);
 
   bool Any() const { return this->Prepared != nullptr; }
@@ -53,7 +53,8 @@ public:
   /// Empty unless both the surface and the mesh have features.
   const HexFeatures& Mapped() const { return this->OfMesh; }
 
-  /// ReadMapped() for a @a stage whose points move; it gives the warning. @a mesh is that of the grid.
+  /// ReadMapped() for a @a stage whose points move; it gives the warning. @a mesh is that of the
+  /// grid.
   Status ReadTargets(
     vtkObject* stage, vtkUnstructuredGrid* grid, const HexMesh& mesh, const HexStars& stars);
 

@@ -102,7 +102,8 @@ FigureRow Statistics(const MeshingOptions& options, double timeLimit, const Mesh
   }
   row.Texts = { { "RoundReasons", reasons }, { "SurfaceRepairs", Join(result.Check.Warnings) },
     { "FeatureRepairs", Join(result.FeatureReport.Notes) },
-    { "FeaturesMissed", result.Validation.Features.Complaint() }, { "Version", vtkFeatureHexVersion::GetVersion() } };
+    { "FeaturesMissed", result.Validation.Features.Complaint() },
+    { "Version", vtkFeatureHexVersion::GetVersion() } };
   return row;
 }
 

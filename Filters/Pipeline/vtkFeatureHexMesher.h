@@ -9,55 +9,56 @@
  * the stages run again, at most MaximumRounds times.
  *
  * Sharp features are reproduced one to one: corners become points of the mesh, curves chains of its
- * edges, patches sets of boundary quads. They come from input 1, or are found by angle (FeatureMode).
- * Without features, for scans and organic shapes, sharp edges are met within the tolerance, but no
- * mesh edges follow them.
+ * edges, patches sets of boundary quads. They come from input 1, or are found by angle
+ * (FeatureMode). Without features, for scans and organic shapes, sharp edges are met within the
+ * tolerance, but no mesh edges follow them.
  *
  * <b>Input 0:</b> vtkPolyData: triangles, strips or polygons of a closed surface, any number of
  * components and cavities; orientation doesn't matter, points of equal coordinates are merged.
  *
  * <b>Input 1 (optional):</b> vtkPointSet, annotation of sharp features: lines and polylines are
  * sharp edges, vertices are corners; what vtkFeatureGraphReader reads, output 1 of
- * vtkSurfaceFeatureFilter, or anything that a script makes. Points are recognised by the point array
- * SurfacePointId (ids of input 0), or by their coordinates within 1e-6 of the diagonal. Other cells
- * are ignored with a warning.
+ * vtkSurfaceFeatureFilter, or anything that a script makes. Points are recognised by the point
+ * array SurfacePointId (ids of input 0), or by their coordinates within 1e-6 of the diagonal. Other
+ * cells are ignored with a warning.
  *
  * <b>Output 0:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON, points in double precision. Points:
- * FeatureKind (int, 0 interior, 1 surface, 2 curve, 3 corner), FeatureId (int: of the patch, curve or
- * corner; -1 interior). Ids are those of vtkSurfaceFeatureFilter with the same features. Cells: Region
- * (int, 1 and up: the body), Level (int, halvings of the target edge length at this hex),
- * ScaledJacobian (double, smallest of the 8 corners). Field data: the columns of output 3; with features also
- * FeatureQuads (int, 5 components: four points of a boundary quad and its patch) and FeatureEdges (int,
- * 3 components: two points and the curve), which the writer of .mesh files uses.
+ * FeatureKind (int, 0 interior, 1 surface, 2 curve, 3 corner), FeatureId (int: of the patch, curve
+ * or corner; -1 interior). Ids are those of vtkSurfaceFeatureFilter with the same features. Cells:
+ * Region (int, 1 and up: the body), Level (int, halvings of the target edge length at this hex),
+ * ScaledJacobian (double, smallest of the 8 corners). Field data: the columns of output 3; with
+ * features also FeatureQuads (int, 5 components: four points of a boundary quad and its patch) and
+ * FeatureEdges (int, 3 components: two points and the curve), which the writer of .mesh files uses.
  *
- * <b>Output 1:</b> vtkPolyData, the boundary quads, outward. Cells: PatchId (int, 0 and up: the patch
- * between feature curves; without features the component of the input surface; in the order of their
- * first triangles. Near a corner that is not enforced no curve parts the patches, the nearest counts),
- * Deviation (double, model units: no point of the quad is farther from the input; proven).
+ * <b>Output 1:</b> vtkPolyData, the boundary quads, outward. Cells: PatchId (int, 0 and up: the
+ * patch between feature curves; without features the component of the input surface; in the order
+ * of their first triangles. Near a corner that is not enforced no curve parts the patches, the
+ * nearest counts), Deviation (double, model units: no point of the quad is farther from the input;
+ * proven).
  *
- * <b>Output 2:</b> vtkPolyData, the features of the result: a vertex cell for each corner, a polyline
- * for each curve. Cells: CornerId, CurveId (int, -1 for the other kind), Captured (int, 1: one to one),
- * Deviation (double, model units). Points: MeshPointId (vtkIdType, of output 0). Empty without
- * features.
+ * <b>Output 2:</b> vtkPolyData, the features of the result: a vertex cell for each corner, a
+ * polyline for each curve. Cells: CornerId, CurveId (int, -1 for the other kind), Captured (int, 1:
+ * one to one), Deviation (double, model units). Points: MeshPointId (vtkIdType, of output 0). Empty
+ * without features.
  *
  * <b>Output 3:</b> vtkTable with one row: all figures of vtkHexValidationFilter; TargetEdgeLength
  * (the one used, model units); Rounds and RoundReasons; WantedScaledJacobianMissed (hexes left
  * below MinimumScaledJacobian); SurfaceRepairs (in words); Seconds… for each stage; PeakMemoryMiB
  * (of the process); Version; Option… for each property.
  *
- * <b>Output 4:</b> vtkTable, one row for each corner, curve and patch of the surface: Kind (string),
- * Id (int), Outcome (string: Captured, NotEnforced, NotMapped, OffPosition, BrokenPath, WrongEnd,
- * BeyondTolerance, InPieces, WrongBoundary, WrongTopology), Reason (string, in words), Deviation,
- * VertexDeviation (double, model units), X, Y, Z (where). Empty without features.
+ * <b>Output 4:</b> vtkTable, one row for each corner, curve and patch of the surface: Kind
+ * (string), Id (int), Outcome (string: Captured, NotEnforced, NotMapped, OffPosition, BrokenPath,
+ * WrongEnd, BeyondTolerance, InPieces, WrongBoundary, WrongTopology), Reason (string, in words),
+ * Deviation, VertexDeviation (double, model units), X, Y, Z (where). Empty without features.
  *
  * <b>Guarantees:</b> the mesh is all-hex and conforming; its boundary is a manifold without
  * self-intersections and has the components, cavities and genus of the input; every Jacobian is
  * proven positive in the whole element; the Hausdorff distance to the input is proven to be at most
  * Tolerance, both ways. What can't be guaranteed is no mesh: one error, empty outputs.
- * MinimumScaledJacobian is best effort. Features are measured (output 4): corner points are within 1e-9
- * and curve points within 1e-6 of the diagonal of theirs, or a warning names what is missed. Corners
- * where more than six curves, or two at less than 30 degrees meet, are not enforced; a warning says
- * where.
+ * MinimumScaledJacobian is best effort. Features are measured (output 4): corner points are within
+ * 1e-9 and curve points within 1e-6 of the diagonal of theirs, or a warning names what is missed.
+ * Corners where more than six curves, or two at less than 30 degrees meet, are not enforced; a
+ * warning says where.
  *
  * <b>Errors:</b> a surface that is open, non-manifold, self-intersecting, not orientable, not
  * finite, empty or without volume (repair it: the message says where); CellLimit, TimeLimit; a
@@ -176,8 +177,8 @@ public:
 
   ///@{
   /**
-   * Where the sharp features come from. Default: Annotation, so that a surface alone is meshed without
-   * any.
+   * Where the sharp features come from. Default: Annotation, so that a surface alone is meshed
+   * without any.
    */
   vtkSetClampMacro(FeatureMode, int, FeaturesOfAnnotation, NoFeatures);
   vtkGetMacro(FeatureMode, int);
@@ -189,8 +190,8 @@ public:
   ///@{
   /**
    * FeatureMode Angle: edges with an interior dihedral angle below this are sharp, degrees; concave
-   * edges when they deviate as much from a plane. vtkSurfaceFeatureFilter has more settings. Default:
-   * 140. Range: 0 to 180.
+   * edges when they deviate as much from a plane. vtkSurfaceFeatureFilter has more settings.
+   * Default: 140. Range: 0 to 180.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

@@ -73,9 +73,10 @@ featurehex::Status vtkHexDomainFilter::Compute(
     options, monitor, domain);
   if (status.Ok())
   {
-    status = CheckStageOutput({ "hex domain", StagePromise::Conforming,
-                                { { ArrayNames::Region, domain.Region.size(), mesh.Hexes.size() } } },
-      mesh);
+    status =
+      CheckStageOutput({ "hex domain", StagePromise::Conforming,
+                         { { ArrayNames::Region, domain.Region.size(), mesh.Hexes.size() } } },
+        mesh);
   }
   if (!status.Ok())
   {

@@ -40,7 +40,8 @@ Status LabelledMesh::Read(vtkUnstructuredGrid* input)
   Status status = MeshFromGrid(input, MeshCheck::Conforming, this->Mesh);
   if (status.Ok())
   {
-    status = ReadCellArray(input, ArrayNames::Region, "the Hex Domain filter makes it", this->Region);
+    status =
+      ReadCellArray(input, ArrayNames::Region, "the Hex Domain filter makes it", this->Region);
   }
   if (status.Ok() && input->GetCellData()->HasArray(ArrayNames::Level))
   {

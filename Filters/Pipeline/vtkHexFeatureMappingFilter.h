@@ -26,8 +26,8 @@
  * between patches that no curve parts). Field data, when all features are mapped: FeatureQuads (5
  * int: the four points of each interface quad, its patch), FeatureEdges (3 int: two points, curve;
  * edge by edge along each path); vtkHexPaddingFilter and the stages after it need them. One double
- * each: FeaturesMapped (1: all), MappingFailures (features that could not be mapped), ReroutedCurves
- * (paths that were given up for others).
+ * each: FeaturesMapped (1: all), MappingFailures (features that could not be mapped),
+ * ReroutedCurves (paths that were given up for others).
  *
  * <b>Output 1:</b> vtkPolyData, refinement points as vertices for input 2 of
  * vtkSurfaceOctreeFilter, where features could not be mapped. Points: Level (int, one more than the
@@ -45,7 +45,8 @@
  *
  * <b>Threads and determinism:</b> sequential; always the same bits.
  *
- * <b>Cost:</b> n log n in the interface edges near each curve; milliseconds beside the surface check.
+ * <b>Cost:</b> n log n in the interface edges near each curve; milliseconds beside the surface
+ * check.
  *
  * <b>References:</b> X. Gao, H. Shen, D. Panozzo, "Feature Preserving Octree-Based Hexahedral
  * Meshing", Computer Graphics Forum 38(5), 2019, doi:10.1111/cgf.13795.
@@ -77,8 +78,8 @@ public:
 
   ///@{
   /**
-   * The path of a curve stays within this many local edge lengths of it. Default: 2.5. Range: 0.5 to
-   * 10.
+   * The path of a curve stays within this many local edge lengths of it. Default: 2.5. Range: 0.5
+   * to 10.
    */
   vtkSetClampMacro(CurveReach, double, 0.5, 10.0);
   vtkGetMacro(CurveReach, double);
@@ -86,8 +87,8 @@ public:
 
   ///@{
   /**
-   * A curve that finds no way takes it from others, which look for another one; this often. Default:
-   * 6. Range: 0 to 1000.
+   * A curve that finds no way takes it from others, which look for another one; this often.
+   * Default: 6. Range: 0 to 1000.
    */
   vtkSetClampMacro(MaximumAttempts, int, 0, 1000);
   vtkGetMacro(MaximumAttempts, int);

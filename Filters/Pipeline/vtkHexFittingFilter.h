@@ -5,14 +5,15 @@
  *
  * Minimises distortion and the distance to the closest points, both ways, over all vertices; no
  * step leaves validity. Vertices of sharp features go to their own corner, curve or patch, not to
- * the closest one, and stay there. Then the worst hexes are improved inside the tolerance, unless the boundary
- * is still farther than 1.4 tolerances from the surface somewhere: there the octree has to be
- * refined first.
+ * the closest one, and stay there. Then the worst hexes are improved inside the tolerance, unless
+ * the boundary is still farther than 1.4 tolerances from the surface somewhere: there the octree
+ * has to be refined first.
  *
  * <b>Input 0:</b> vtkUnstructuredGrid, conforming mesh of the bodies (hexahedra or voxels) without
  * inverted hexes, near the surface: that of vtkHexUntangleFilter. Cells: Level (optional, for
- * output 1). Points FeatureKind, FeatureId and field data FeatureQuads, FeatureEdges (optional): the
- * features of vtkHexFeatureMappingFilter. Field data: TargetEdgeLength (optional, thins output 1).
+ * output 1). Points FeatureKind, FeatureId and field data FeatureQuads, FeatureEdges (optional):
+ * the features of vtkHexFeatureMappingFilter. Field data: TargetEdgeLength (optional, thins output
+ * 1).
  *
  * <b>Input 1:</b> vtkPolyData, the surface (triangles, strips or polygons): closed, without
  * self-intersections; vtkSurfaceFeatureFilter says what that means.

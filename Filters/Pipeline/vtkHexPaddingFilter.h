@@ -4,8 +4,8 @@
  * @brief Keeps the hexes of the bodies and puts one layer of hexes under their whole boundary.
  *
  * After it, every boundary hex has exactly one quad on the boundary (at a convex crease one of each
- * side), so that it can be fitted without flattening a corner. Interface vertices stay where they are and become the boundary;
- * their inner copies move into the body.
+ * side), so that it can be fitted without flattening a corner. Interface vertices stay where they
+ * are and become the boundary; their inner copies move into the body.
  *
  * With features of vtkHexFeatureMappingFilter each group of patches gets its own layer; layers
  * cross at convex creases, so that one hex instead of two has the angle of the crease. Where a quad
@@ -25,14 +25,15 @@
  * <b>Output:</b> vtkUnstructuredGrid of VTK_HEXAHEDRON: bodies only, in a space-filling order.
  * Point and cell arrays of the input are copied from the vertex or hex that each one comes from
  * (layer hexes: the hex they cover). Cells: PaddingLayer (int, 1: hex of the layer). Field data of
- * the input. With features: FeatureKind, FeatureId, FeatureQuads, FeatureEdges of the new mesh; field
- * data, one double each: DegenerateQuads (found by local padding), LocalPaddingHexes (added by it).
+ * the input. With features: FeatureKind, FeatureId, FeatureQuads, FeatureEdges of the new mesh;
+ * field data, one double each: DegenerateQuads (found by local padding), LocalPaddingHexes (added
+ * by it).
  *
  * <b>Guarantees:</b> connectivity is valid. Some hexes may be inverted: vtkHexUntangleFilter.
  *
  * <b>Errors:</b> no array Region, no hex in a body, bodies that touch along an edge or in a point
- * (regions edited by hand), a mesh that is not conforming; a feature graph without surface; features
- * of the mesh that are not those of the graph; what vtkSurfaceFeatureFilter reports.
+ * (regions edited by hand), a mesh that is not conforming; a feature graph without surface;
+ * features of the mesh that are not those of the graph; what vtkSurfaceFeatureFilter reports.
  *
  * <b>Units:</b> thickness in local cell sizes.
  *

@@ -13,9 +13,10 @@
  * <b>Input 1 (optional):</b> vtkPolyData, the surface (triangles, strips or polygons): closed,
  * without self-intersections; vtkSurfaceFeatureFilter says what that means.
  *
- * <b>Input 2 (optional):</b> vtkPolyData, the feature graph of the surface, from vtkFeatureGraphReader
- * or output 1 of vtkSurfaceFeatureFilter. Whether the mesh reproduces it is measured by the point
- * arrays FeatureKind and FeatureId of input 0, which vtkFeatureHexMesher makes. Needs input 1.
+ * <b>Input 2 (optional):</b> vtkPolyData, the feature graph of the surface, from
+ * vtkFeatureGraphReader or output 1 of vtkSurfaceFeatureFilter. Whether the mesh reproduces it is
+ * measured by the point arrays FeatureKind and FeatureId of input 0, which vtkFeatureHexMesher
+ * makes. Needs input 1.
  *
  * <b>Output 0:</b> vtkUnstructuredGrid, the mesh with its arrays. Cells: ScaledJacobian (double,
  * smallest of the 8 corners, -1 for a broken hex), Certified (int, 1: Jacobian proven positive in
@@ -81,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Corners of the feature graph where more than six curves, or two at less than 30 degrees meet, count
-   * like others. As it was when the mesh was made. Default: off.
+   * Corners of the feature graph where more than six curves, or two at less than 30 degrees meet,
+   * count like others. As it was when the mesh was made. Default: off.
    */
   vtkSetMacro(EnforceAllFeatures, bool);
   vtkGetMacro(EnforceAllFeatures, bool);

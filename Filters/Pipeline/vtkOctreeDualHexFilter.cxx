@@ -61,11 +61,11 @@ featurehex::Status vtkOctreeDualHexFilter::Compute(
   status = ConvertOctreeToHexes(octree, mesh, &arrays, monitor);
   if (status.Ok())
   {
-    status = CheckStageOutput({ "octree dual", StagePromise::PositiveCorners,
-                                { { ArrayNames::Level, arrays.HexLevel.size(), mesh.Hexes.size() },
-                                  { ArrayNames::DualHexKind, arrays.HexKind.size(), mesh.Hexes.size() },
-                                  { ArrayNames::OctreeIndex, arrays.PointOctreeIndex.size(),
-                                    mesh.Points.size() } } },
+    status = CheckStageOutput(
+      { "octree dual", StagePromise::PositiveCorners,
+        { { ArrayNames::Level, arrays.HexLevel.size(), mesh.Hexes.size() },
+          { ArrayNames::DualHexKind, arrays.HexKind.size(), mesh.Hexes.size() },
+          { ArrayNames::OctreeIndex, arrays.PointOctreeIndex.size(), mesh.Points.size() } } },
       mesh);
   }
   if (!status.Ok())

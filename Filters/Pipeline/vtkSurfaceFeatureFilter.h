@@ -33,8 +33,8 @@
  * NumberOfComponents, NumberOfCavities, Genus (sum), Volume (of the material), Diagonal (of the
  * bounding box), MergedPoints, UnusedPoints, CollapsedTriangles, DuplicateTriangles, FlippedEdges,
  * ReorientedTriangles, NumberOfCorners, NumberOfCurves, NumberOfPatches, InvalidCorners,
- * ContinuedEdges, ClosedGaps, DroppedSpurs, RedundantCurves (double), SurfaceRepairs, FeatureRepairs (string, in
- * words).
+ * ContinuedEdges, ClosedGaps, DroppedSpurs, RedundantCurves (double), SurfaceRepairs,
+ * FeatureRepairs (string, in words).
  *
  * <b>Output 1:</b> vtkPolyData, the feature graph: a vertex cell for each corner, a polyline for
  * each curve. Cells: CornerId, CurveId (int, -1 for the other kind), FeatureValid (int, 0: found

@@ -15,8 +15,8 @@
  * (output 1 of vtkSurfaceFeatureFilter, vtkFeatureGraphReader).
  *
  * <b>Input 2 (optional, repeatable):</b> vtkPolyData, refinement points as vtkHexDomainFilter,
- * vtkHexFeatureMappingFilter and vtkHexFittingFilter make them. Points: Level (wanted halvings of the target edge length; 1
- * without this array).
+ * vtkHexFeatureMappingFilter and vtkHexFittingFilter make them. Points: Level (wanted halvings of
+ * the target edge length; 1 without this array).
  *
  * <b>Output:</b> vtkUnstructuredGrid, the leaves as VTK_VOXEL (VTK_HEXAHEDRON where the axes are
  * turned), along the Z curve. Cells: Level (int, halvings of the target edge length, negative:

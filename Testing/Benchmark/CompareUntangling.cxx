@@ -4,9 +4,9 @@
 ///
 ///   CompareUntangling [SHARED_DATA]
 ///
-/// Rows: the tangled meshes of SHARED_DATA/tangled with fixed boundary, then the first padded mesh of each
-/// surface in SHARED_DATA/surfaces/organic, drawn to its surface (the stages of FeatureHexMesher.cxx).
-/// Result of the last run: untangling.tsv beside this file.
+/// Rows: the tangled meshes of SHARED_DATA/tangled with fixed boundary, then the first padded mesh
+/// of each surface in SHARED_DATA/surfaces/organic, drawn to its surface (the stages of
+/// FeatureHexMesher.cxx). Result of the last run: untangling.tsv beside this file.
 
 #include "BlockOctree.h"
 #include "HexDomain.h"

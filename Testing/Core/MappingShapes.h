@@ -24,8 +24,8 @@ struct MappingShape
   FeatureMapping Mapping;
 
   /// The box with its twelve edges and further polylines along edges of the triangles.
-  explicit MappingShape(const std::array<int, 3>& n, const std::vector<std::vector<Vec3>>& lines = {},
-    double cornerAngle = 140.0)
+  explicit MappingShape(const std::array<int, 3>& n,
+    const std::vector<std::vector<Vec3>>& lines = {}, double cornerAngle = 140.0)
     : Mesh(LatticeMesh(n, [](int, int, int) { return true; }))
   {
     this->UseMesh();

@@ -133,7 +133,8 @@ TEST(CertifiedDistance, ElementsThatNeedMoreGetWhatTheOthersLeave)
 TEST(CertifiedDistance, TrianglesOfAPatchAreAsNearAsTheirError)
 {
   std::mt19937 random(3);
-  const auto jitter = [&random](double size) { return size * (2.0 * random() / 4294967295.0 - 1.0); };
+  const auto jitter = [&random](double size)
+  { return size * (2.0 * random() / 4294967295.0 - 1.0); };
   int planar = 0;
   for (int trial = 0; trial < 200; ++trial)
   {
@@ -173,8 +174,9 @@ TEST(CertifiedDistance, TrianglesOfAPatchAreAsNearAsTheirError)
     for (int i = 0; i <= n; ++i)
     {
       const double u = static_cast<double>(i) / n;
-      for (const Vec3& x : { Vec3((1 - u) * p[0] + u * p[2]), Vec3((p[0] + u * p[1] + (1 - u) * p[2]) / 2),
-             Vec3((p[0] + u * p[3] + (1 - u) * p[2]) / 2) })
+      for (const Vec3& x :
+        { Vec3((1 - u) * p[0] + u * p[2]), Vec3((p[0] + u * p[1] + (1 - u) * p[2]) / 2),
+          Vec3((p[0] + u * p[3] + (1 - u) * p[2]) / 2) })
       {
         EXPECT_LE(patch.Closest(x).Distance, error + fineError + 1e-12);
       }
@@ -224,7 +226,8 @@ TEST(CertifiedDistance, TwistedPatchAgainstDenseSamples)
         for (int j = 0; j <= m; ++j)
         {
           const double u = double(i) / m, v = double(j) / m;
-          const Vec3 x = (1 - v) * ((1 - u) * mesh.Points[quads[q][0]] + u * mesh.Points[quads[q][1]]) +
+          const Vec3 x =
+            (1 - v) * ((1 - u) * mesh.Points[quads[q][0]] + u * mesh.Points[quads[q][1]]) +
             v * ((1 - u) * mesh.Points[quads[q][3]] + u * mesh.Points[quads[q][2]]);
           here = std::max(here, search.Closest(x).Distance);
           fine.Points.push_back(x);

@@ -82,8 +82,8 @@ TEST(CurveRouter, SpokesNeedAsManyEdges)
 {
   // The diagonal gives the T-junction at its end three curves, the corner of the box four.
   const Routed box({ 3, 3, 1 }, { { { 0, 0, 1 }, { 1, 1, 1 }, { 2, 2, 1 }, { 3, 3, 1 } } });
-  const Index corner =
-    CornersOfPoints(box.Shape.Graph, box.Shape.Surface.Points.size())[box.Shape.PointAt({ 0, 0, 1 })];
+  const Index corner = CornersOfPoints(
+    box.Shape.Graph, box.Shape.Surface.Points.size())[box.Shape.PointAt({ 0, 0, 1 })];
   ASSERT_EQ(box.Geometry.Fans()[corner].Spokes.size(), 4u);
   double cost = 0;
   EXPECT_TRUE(box.Router.ArrangeSpokes(corner, box.Corners[corner], cost).empty());
@@ -113,7 +113,8 @@ TEST(CurveRouter, PathsRunAlongTheirCurves)
     EXPECT_EQ(box.Graph.Head(path.back()), box.Corners[curve.LastCorner]);
     for (std::size_t i = 0; i < path.size(); ++i)
     {
-      EXPECT_NEAR(curve.Closest(box.Shape.Mesh.Points[box.Graph.Head(path[i])]).Arc, i + 1.0, 1e-12);
+      EXPECT_NEAR(
+        curve.Closest(box.Shape.Mesh.Points[box.Graph.Head(path[i])]).Arc, i + 1.0, 1e-12);
       EXPECT_TRUE(i == 0 || box.Graph.Head(path[i - 1]) == box.Graph.Tail(path[i]));
     }
     EXPECT_TRUE(box.Router.ContestedPlaces(static_cast<Index>(c)).empty());

@@ -96,7 +96,8 @@ TEST(FeatureSnapping, PutsAllVerticesOnTheirFeatures)
 
 TEST(FeatureSnapping, ForcesATrappedVertex)
 {
-  // A corner of the cube far inside: the hex there is flat when it arrives, unless the others give way.
+  // A corner of the cube far inside: the hex there is flat when it arrives, unless the others give
+  // way.
   Setting setting(4, 0.0);
   const Index corner = setting.Shape.Features.CornerVertices[0];
   Vec3& p = setting.Shape.Mesh.Points[corner];

@@ -193,8 +193,10 @@ TEST(FeatureTargets, WindowsKeepTheOrderOfAPath)
       {
         const Vec3& p = setting.Shape.Mesh.Points[path[i]];
         const double arc = setting.Targets.OnCurve(path[i], p).Arc;
-        const double first = setting.Targets.OnCurve(path[i], setting.Geometry.Curves()[c].At(0)).Arc;
-        const double last = setting.Targets.OnCurve(path[i], setting.Geometry.Curves()[c].At(12)).Arc;
+        const double first =
+          setting.Targets.OnCurve(path[i], setting.Geometry.Curves()[c].At(0)).Arc;
+        const double last =
+          setting.Targets.OnCurve(path[i], setting.Geometry.Curves()[c].At(12)).Arc;
         EXPECT_LE(first, arc);
         EXPECT_GE(last, arc);
         if (i > 6)

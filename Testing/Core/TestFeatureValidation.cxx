@@ -99,8 +99,8 @@ TEST(FeatureValidation, CornersWithoutVertexOfTheirOwn)
   for (std::size_t c = 0; c < report.Curves.size(); ++c)
   {
     const FeatureCurve& curve = shape.Graph.Curves[c];
-    const bool touched = curve.FirstCorner == 2 || curve.LastCorner == 2 || curve.FirstCorner == 4 ||
-      curve.LastCorner == 4;
+    const bool touched = curve.FirstCorner == 2 || curve.LastCorner == 2 ||
+                         curve.FirstCorner == 4 || curve.LastCorner == 4;
     EXPECT_EQ(report.Curves[c].Outcome,
       touched ? FeatureOutcome::WrongEnd : FeatureOutcome::Captured)
       << report.Curves[c].Reason;
@@ -262,7 +262,8 @@ TEST(FeatureValidation, FlawedCornersDontCount)
   {
     merged[shape.Graph.Curves[c].LeftPatch] = merged[shape.Graph.Curves[c].RightPatch] = true;
   }
-  const int lowest = static_cast<int>(std::find(merged.begin(), merged.end(), true) - merged.begin());
+  const int lowest =
+    static_cast<int>(std::find(merged.begin(), merged.end(), true) - merged.begin());
   for (int& patch : shape.Features.PatchOfQuad)
   {
     patch = merged[patch] ? lowest : patch;

@@ -62,7 +62,8 @@ QuadGraph GraphOf(const HexMesh& mesh)
   return QuadGraph(ExtractBoundary(mesh).Quads, mesh.Points.size());
 }
 
-/// Conforming, manifold, no two hexes with two common faces, one boundary quad of each group a hex at most.
+/// Conforming, manifold, no two hexes with two common faces, one boundary quad of each group a hex
+/// at most.
 void ExpectSound(const Setting& setting)
 {
   const PaddedMesh& padded = setting.Padded;
@@ -103,8 +104,8 @@ void ExpectSound(const Setting& setting)
   }
 }
 
-/// The same points in the same order. More, between them, only where the rim of a group crosses the curve: anywhere on
-/// one with one hex, else only at a crease where it ends.
+/// The same points in the same order. More, between them, only where the rim of a group crosses the
+/// curve: anywhere on one with one hex, else only at a crease where it ends.
 void ExpectPathExtends(const Setting& setting, std::size_t c)
 {
   const std::vector<Index>& path = setting.Features.CurvePaths[c];
@@ -134,8 +135,8 @@ void ExpectPathExtends(const Setting& setting, std::size_t c)
   EXPECT_EQ(found, before.size()) << "curve " << c;
 }
 
-/// Paths are chains of boundary edges through the same points as before, and part the same patches; what had one hex
-/// has one.
+/// Paths are chains of boundary edges through the same points as before, and part the same patches;
+/// what had one hex has one.
 void ExpectSameFeatures(const Setting& setting)
 {
   const HexStars stars(setting.Padded.Mesh);
@@ -202,8 +203,8 @@ std::vector<std::array<int, 2>> SidesOf(const HexMesh& mesh, const std::vector<I
   return sides;
 }
 
-/// Where a curve had one quad on a side, or three, it has two, and nowhere one. @a ends: so many vertices at both ends
-/// aside.
+/// Where a curve had one quad on a side, or three, it has two, and nowhere one. @a ends: so many
+/// vertices at both ends aside.
 void ExpectOpened(const Setting& setting, Index curve, std::size_t ends)
 {
   const auto before = SidesOf(setting.Global.Mesh, setting.Before.CurvePaths[curve]);

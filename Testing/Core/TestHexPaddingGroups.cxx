@@ -215,7 +215,8 @@ struct Layers
     }
   }
 
-  /// One for each quad of the interface, each of its edges where two groups meet, each vertex where three do.
+  /// One for each quad of the interface, each of its edges where two groups meet, each vertex where
+  /// three do.
   std::size_t ExpectedLayerHexes() const
   {
     const std::vector<InterfaceQuad> quads =
@@ -260,7 +261,8 @@ struct Layers
     }
   }
 
-  /// Corners, chains between them that part the right patches, no other borders. One hex where groups meet, else two.
+  /// Corners, chains between them that part the right patches, no other borders. One hex where
+  /// groups meet, else two.
   void ExpectFeatures() const
   {
     const HexStars stars(this->Result.Mesh);
@@ -531,7 +533,8 @@ TEST(HexPaddingGroups, ConcaveEdgeHasTwoHexesTheOthersHaveOne)
 
 TEST(HexPaddingGroups, ConvexEdgeInsideAGroupHasTwoHexes)
 {
-  // Two sides of the top meet two of the body at the ends of its diagonal: the latter share a group.
+  // Two sides of the top meet two of the body at the ends of its diagonal: the latter share a
+  // group.
   const Body box = BoxBody({ 3, 3, 2 }, { { 0, 0, 2 }, { 1, 1, 2 }, { 2, 2, 2 }, { 3, 3, 2 } });
   ASSERT_EQ(box.Graph.NumberOfPatches, 7);
   ASSERT_EQ(std::set<int>(box.Groups.begin(), box.Groups.end()).size(), 4u);

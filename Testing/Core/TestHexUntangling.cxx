@@ -16,8 +16,8 @@ namespace
 {
 constexpr UntangleMethod Methods[] = { UntangleMethod::Regularized, UntangleMethod::Stitching };
 
-UntangleReport Untangle(HexMesh& mesh, UntangleMethod method, const SurfaceGeometry* surface = nullptr,
-  int maximumSweeps = 100)
+UntangleReport Untangle(HexMesh& mesh, UntangleMethod method,
+  const SurfaceGeometry* surface = nullptr, int maximumSweeps = 100)
 {
   UntangleOptions options;
   options.Method = method;

@@ -24,7 +24,8 @@ struct Body
   std::vector<int> PatchIds; ///< of the patches in the order in which they were given
   double Trim = 0.1;
 
-  /// Polygons are seen from their first points, which must see all of them. @a everyCorner: also acute ones.
+  /// Polygons are seen from their first points, which must see all of them. @a everyCorner: also
+  /// acute ones.
   Body(const std::vector<Vec3>& points, const std::vector<Polygons>& patches,
     bool everyCorner = false)
   {
@@ -168,8 +169,9 @@ Body KitePrism(double angle)
   return Prism({ { 0, 0 }, { x, -y }, { 2 / std::cos(half), 0 }, { x, y } });
 }
 
-/// A box of edge 2 with curves on its top from the middle of the front edge to points of the other edges of the top,
-/// counter-clockwise from the right. Patches: bottom, front, right, back, left, top from right to left.
+/// A box of edge 2 with curves on its top from the middle of the front edge to points of the other
+/// edges of the top, counter-clockwise from the right. Patches: bottom, front, right, back, left,
+/// top from right to left.
 Body BoxWithFan(const std::vector<Vec3>& ends, bool everyCorner = false)
 {
   std::vector<Vec3> points = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 0, 0, 2 },
@@ -216,7 +218,8 @@ Body BoxWithFan(const std::vector<Vec3>& ends, bool everyCorner = false)
   return Body(points, patches, everyCorner);
 }
 
-/// Patches: base, then the sides of a pyramid over a regular polygon whose first corner is in direction x.
+/// Patches: base, then the sides of a pyramid over a regular polygon whose first corner is in
+/// direction x.
 Body Pyramid(int sides, double radius, const Vec3& apex, bool everyCorner = false)
 {
   std::vector<Vec3> points;
@@ -234,8 +237,8 @@ Body Pyramid(int sides, double radius, const Vec3& apex, bool everyCorner = fals
   return Body(points, patches, everyCorner);
 }
 
-/// A box with a small bump in its front, below a piece of its upper edge, where the crease is flat. Patches: front, top,
-/// the others.
+/// A box with a small bump in its front, below a piece of its upper edge, where the crease is flat.
+/// Patches: front, top, the others.
 Body BoxWithBump(double length)
 {
   const double from = 1.0, to = 1.0 + length;
@@ -249,8 +252,8 @@ Body BoxWithBump(double length)
       { { 3, 0, 4, 7 } } });
 }
 
-/// A box whose front is a ramp of 146 degrees to the top from x = @a ramp to 2 and upright from 0 to @a wall. Patches:
-/// front, top, the others.
+/// A box whose front is a ramp of 146 degrees to the top from x = @a ramp to 2 and upright from 0
+/// to @a wall. Patches: front, top, the others.
 Body BoxWithRamp(double wall, double ramp)
 {
   const std::vector<Vec3> points = { { 0, 0, 0 }, { wall, 0, 0 }, { ramp, -3, 0 }, { 2, -3, 0 },
@@ -335,7 +338,8 @@ TEST(PaddingGroups, TwoSectorsOfEachOfTwoGroups)
 TEST(PaddingGroups, CornerOfMoreThanThreeSectors)
 {
   EXPECT_EQ(Pyramid(3, 1.2, { 0, 0, 1.5 }).Groups(), (Groups{ 0, 1, 2, 3 }));
-  // The two sides beside the flattest crease are together, and the other two: each pair has two quads at the apex.
+  // The two sides beside the flattest crease are together, and the other two: each pair has two
+  // quads at the apex.
   EXPECT_EQ(Pyramid(4, 1.2, { 0.2, 0, 2 }).Groups(), (Groups{ 0, 1, 2, 2, 1 }));
   EXPECT_EQ(Pyramid(4, 1.2, { 0, 0.2, 2 }).Groups(), (Groups{ 0, 1, 1, 2, 2 }));
   EXPECT_EQ(Pyramid(4, 1.2, { -0.2, 0, 2 }).Groups(), (Groups{ 0, 1, 2, 2, 1 }));

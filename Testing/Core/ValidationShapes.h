@@ -85,7 +85,8 @@ inline SurfaceMesh SphereSurface(int rings, double radius = 1.0, const Vec3& cen
   }
   s.Points.push_back(center - Vec3(0, 0, radius));
   const Index last = static_cast<Index>(s.Points.size()) - 1;
-  const auto at = [&](int i, int j) { return static_cast<Index>(1 + (i - 1) * sectors + j % sectors); };
+  const auto at = [&](int i, int j)
+  { return static_cast<Index>(1 + (i - 1) * sectors + j % sectors); };
   for (int j = 0; j < sectors; ++j)
   {
     s.Triangles.push_back({ 0, at(1, j), at(1, j + 1) });
