@@ -7,6 +7,7 @@
 
 #include "FeatureGraphFile.h"
 #include "SurfaceCheck.h"
+#include "SurfaceFeatures.h"
 #include "SurfaceReader.h"
 
 #include <cstdlib>
