@@ -41,11 +41,13 @@ def build(name, source, folder, jobs):
                     os.path.join(programs, "MicroBenchmarks") if micro.returncode == 0 else None)
 
 
+def git(*arguments):
+    return subprocess.run(["git", "-C", corpus.TOP, *arguments], check=True, text=True,
+                          stdout=subprocess.PIPE).stdout.strip()
+
+
 def check_out(revision, folder):
     """(hash, folder with the sources) of a git revision."""
-    def git(*arguments):
-        return subprocess.run(["git", "-C", corpus.TOP, *arguments], check=True, text=True,
-                              stdout=subprocess.PIPE).stdout.strip()
     commit = git("rev-parse", "--verify", "--short", revision + "^{commit}")
     source = os.path.join(folder, commit, "source")
     if not os.path.exists(source):

@@ -58,14 +58,13 @@ def stages(rows, path):
     picture, axis = figure(figsize=(8, 3.0))
     if not picture:
         return
-    names = list(dict.fromkeys(row["name"] for row in rows))
-    left = dict.fromkeys(names, 0.0)
+    left = {row["name"]: 0.0 for row in rows}
     for stage, colour in zip(dict.fromkeys(row["stage"] for row in rows), COLOURS):
-        for row in (row for row in rows if row["stage"] == stage):
-            first = left[row["name"]] == 0.0 or stage not in axis.get_legend_handles_labels()[1]
-            axis.barh(row["name"], row["percent"], left=left[row["name"]], color=colour,
-                      label=stage if first else "_")
-            left[row["name"]] += row["percent"]
+        percent = {row["name"]: row["percent"] for row in rows if row["stage"] == stage}
+        axis.barh(list(percent), list(percent.values()), left=[left[name] for name in percent],
+                  color=colour, label=stage)
+        for name, value in percent.items():
+            left[name] += value
     axis.set_xlabel("share of the wall time, %")
     axis.set_xlim(0, 100)
     axis.invert_yaxis()
