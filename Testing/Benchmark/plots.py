@@ -59,7 +59,9 @@ def stages(rows, path):
     if not picture:
         return
     left = {row["name"]: 0.0 for row in rows}
-    for stage, colour in zip(dict.fromkeys(row["stage"] for row in rows), COLOURS):
+    # Those with features have the most stages, the others a part of them.
+    order = max(([row["stage"] for row in rows if row["name"] == name] for name in left), key=len)
+    for stage, colour in zip(order, COLOURS):
         percent = {row["name"]: row["percent"] for row in rows if row["stage"] == stage}
         axis.barh(list(percent), list(percent.values()), left=[left[name] for name in percent],
                   color=colour, label=stage)
