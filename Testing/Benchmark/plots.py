@@ -75,15 +75,18 @@ def stages(rows, path):
 
 
 def comparison(rows, title, path):
-    """Ratio of wall times with its spread, one line for each thing measured."""
+    """Ratios of wall times with their range and of processor times, one line for each thing measured."""
     picture, axis = figure(figsize=(7, 1.2 + 0.28 * len(rows)))
     if not picture:
         return
     for i, row in enumerate(rows):
         axis.plot([row["least"], row["largest"]], [i, i], color=GREY)
-        axis.plot(row["ratio"], i, "o", color=BLUE)
+    lines = range(len(rows))
+    axis.plot([row["ratio"] for row in rows], lines, "o", color=BLUE, label="wall time")
+    axis.plot([row["cpu_ratio"] for row in rows], lines, "x", color="#000000", label="processor time")
     axis.axvline(1, color="#000000", linewidth=0.5)
-    axis.set_yticks(range(len(rows)), [row["name"] for row in rows])
+    axis.legend(frameon=False, fontsize=8)
+    axis.set_yticks(lines, [row["name"] for row in rows])
     axis.invert_yaxis()
     axis.set_xlabel(title)
     axis.grid(True, axis="x", color="#e5e5e5", linewidth=0.5)
