@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RunAlgorithm.h"
 
+#include "../AlgorithmMessages.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
-#include <vtkErrorCode.h>
 #include <vtkExecutive.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
@@ -31,18 +32,6 @@ public:
   void DisplayDebugText(const char*) override {}
 };
 vtkStandardNewMacro(QuietOutputWindow);
-
-/// "ERROR: In file.cxx, line 7\nvtkClass (0x1234): the message\n\n" -> "the message".
-std::string MessageOf(const char* text)
-{
-  std::string message = text ? text : "";
-  const std::size_t object = message.find("): ");
-  if (message.find("In ") != std::string::npos && object != std::string::npos)
-  {
-    message.erase(0, object + 3);
-  }
-  return OneLine(message);
-}
 
 /// Hears one algorithm.
 class Listener
@@ -82,11 +71,11 @@ private:
   {
     if (event == vtkCommand::ErrorEvent)
     {
-      this->Errors.push_back(MessageOf(static_cast<const char*>(data)));
+      this->Errors.push_back(OneLine(MessageOf(static_cast<const char*>(data))));
     }
     else if (event == vtkCommand::WarningEvent)
     {
-      this->Log.Warnings.push_back(MessageOf(static_cast<const char*>(data)));
+      this->Log.Warnings.push_back(OneLine(MessageOf(static_cast<const char*>(data))));
     }
     else
     {
@@ -128,18 +117,6 @@ private:
   std::string Phase;
   Clock::time_point PhaseStart = Clock::now();
 };
-
-StatusCode CodeOf(unsigned long error, StatusCode otherwise)
-{
-  if (error > vtkErrorCode::UserError)
-  {
-    const unsigned long code = error - vtkErrorCode::UserError;
-    return code <= static_cast<unsigned long>(StatusCode::Unexpected)
-             ? static_cast<StatusCode>(code)
-             : otherwise;
-  }
-  return otherwise;
-}
 } // namespace
 
 Status RunAlgorithm(vtkAlgorithm* algorithm, StatusCode otherwise, RunLog& log)

@@ -34,8 +34,9 @@ def main(surface_file, feature_file, mesh_file, tolerance=0.005, edge_length=0.0
     findings = mesher.GetOutputDataObject(4)
     for row in range(findings.GetNumberOfRows()):
         kind, number, outcome, reason = (
-            findings.GetValueByName(row, name) for name in ("Kind", "Id", "Outcome", "Reason"))
-        if str(outcome) != "Captured":
+            findings.GetValueByName(row, name).ToString()
+            for name in ("Kind", "Id", "Outcome", "Reason"))
+        if outcome != "Captured":
             print("%s %s %s: %s" % (kind, number, outcome, reason))
     figures = mesher.GetOutputDataObject(3)
     for kind in ("Corners", "Curves", "Patches"):
