@@ -2,6 +2,7 @@
 """Picture of a hex mesh cut open, with visible cell edges, coloured by the scaled Jacobian; sharp
 features of the mesh are lines. Or of a surface with its feature graph."""
 import argparse
+import os
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401  registers the factories of the renderer
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -12,9 +13,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
-from vtkmodules.vtkIOGeometry import vtkOBJReader
+from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
@@ -22,6 +25,9 @@ from vtkmodules.vtkRenderingCore import (
 # From violet (0) through red and yellow to green and blue (1): bad cells stand out.
 COLORS = [(0.40, 0.00, 0.40), (0.75, 0.05, 0.15), (0.90, 0.40, 0.10), (0.98, 0.80, 0.25),
           (0.75, 0.88, 0.45), (0.40, 0.76, 0.60), (0.25, 0.60, 0.80), (0.20, 0.40, 0.75)]
+
+SURFACE_READERS = {".obj": vtkOBJReader, ".stl": vtkSTLReader, ".ply": vtkPLYReader,
+                   ".vtp": vtkXMLPolyDataReader, ".vtk": vtkPolyDataReader}
 
 
 def color_table(low, high):
@@ -47,6 +53,10 @@ def with_quality(mesh):
     result = quality.GetOutput()
     result.GetCellData().GetArray("Quality").SetName("ScaledJacobian")
     return result
+
+
+def extension_of(path):
+    return os.path.splitext(path)[1].lower()
 
 
 def size_of(text):
@@ -188,13 +198,14 @@ def add_mesh(renderer, options, sign):
     mapper.SetLookupTable(color_table(0, 1))
     mapper.UseLookupTableScalarRangeOn()
     renderer.AddActor(actor)
-    renderer.AddViewProp(color_bar(mapper.GetLookupTable(), min(options.size)))
+    if options.legend:
+        renderer.AddViewProp(color_bar(mapper.GetLookupTable(), min(options.size)))
     renderer.AddActor(feature_actor(features_of(mesh, part), min(options.size)))
     return part, mesh.GetBounds()
 
 
 def add_surface(renderer, options):
-    surface = read(options.mesh, vtkOBJReader())
+    surface = read(options.mesh, SURFACE_READERS[extension_of(options.mesh)]())
     actor = actor_of(surface)
     actor.GetProperty().SetInterpolationToFlat()
     actor.GetProperty().SetAmbient(0.5)
@@ -206,8 +217,8 @@ def add_surface(renderer, options):
     return surface, surface.GetBounds()
 
 
-def fit(renderer, part):
-    """Fills the picture with the points, but for room for the colours on the right."""
+def fit(renderer, part, right):
+    """Fills the picture with the points up to the right; behind that is room for the colours."""
     camera = renderer.GetActiveCamera()
     matrix = camera.GetCompositeProjectionTransformMatrix(renderer.GetTiledAspectRatio(), -1, 1)
     seen = []
@@ -216,7 +227,7 @@ def fit(renderer, part):
         seen.append((x / w, y / w))
     low, high = ([f(p[k] for p in seen) for k in (0, 1)] for f in (min, max))
     # The picture is -1 to 1 both ways.
-    left, right, top = -0.95, 0.72, 0.95
+    left, top = -0.95, 0.95
     factor = min((right - left) / (high[0] - low[0]), 2 * top / (high[1] - low[1]))
     camera.Zoom(factor)
     camera.SetWindowCenter(0.5 * factor * (low[0] + high[0]) - 0.5 * (left + right),
@@ -225,7 +236,7 @@ def fit(renderer, part):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("mesh", help="hex mesh, .vtu, or surface, .obj")
+    parser.add_argument("mesh", help="hex mesh, .vtu, or surface, .obj, .stl, .ply, .vtp or .vtk")
     parser.add_argument("picture", help="result, .png")
     parser.add_argument("--size", type=size_of, default="900x900", help="in pixels, WIDTHxHEIGHT")
     parser.add_argument("--axis", type=int, default=1, choices=(0, 1, 2), help="normal of the cut")
@@ -234,7 +245,9 @@ def main():
     parser.add_argument("--other-side", action="store_true",
                         help="keep and look at the other side of the cut")
     parser.add_argument("--up", type=int, default=2, choices=(0, 1, 2), help="axis that points up")
-    parser.add_argument("--features", metavar="FILE", help="of a surface, .fgraph")
+    parser.add_argument("--features", metavar="FILE", help="of a surface .obj: .fgraph")
+    parser.add_argument("--no-legend", dest="legend", action="store_false",
+                        help="without the scale of the colours")
     options = parser.parse_args()
     if options.up == options.axis:
         parser.error("--up must not be the axis of the cut")
@@ -244,7 +257,7 @@ def main():
     renderer = vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     sign = 1 if options.other_side else -1
-    if options.mesh.endswith(".obj"):
+    if extension_of(options.mesh) in SURFACE_READERS:
         part, bounds = add_surface(renderer, options)
     else:
         part, bounds = add_mesh(renderer, options, sign)
@@ -268,7 +281,7 @@ def main():
     camera.SetPosition([c + d for c, d in zip(center, direction)])
     camera.SetViewUp(up)
     renderer.ResetCamera()
-    fit(renderer, part)
+    fit(renderer, part, 0.72 if options.legend else 0.95)
     renderer.ResetCameraClippingRange()
     window.Render()
 
