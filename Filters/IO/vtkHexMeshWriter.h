@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHexMeshWriter
- * @brief Writes a volume mesh as .vtu, legacy .vtk or Medit .mesh, by the extension.
+ * @brief Writes a volume mesh in the format that the extension says: VTK, Medit, or for solvers.
  *
- * <b>Input:</b> vtkUnstructuredGrid; for .mesh see vtkMeditMeshWriter.
+ * <b>Input:</b> vtkUnstructuredGrid; for .mesh see vtkMeditMeshWriter, for the formats of solvers
+ * vtkSolverMeshWriter.
  *
  * <b>Output:</b> the file. It is written under another name first and renamed when complete, so
  * that there is never half a file; an existing one stays when writing fails.
  * - .vtu: all arrays; inline base64 and compressed, because the ParaView of Debian 12 can't read
  *   appended data;
  * - .vtk: all arrays; legacy version 4.2, binary, which most other programs can read;
- * - .mesh: ASCII, with the references that vtkMeditMeshWriter writes.
+ * - .mesh: ASCII, with the references that vtkMeditMeshWriter writes;
+ * - .inp: Abaqus, vtkAbaqusMeshWriter;
+ * - .msh, .msh2: Gmsh, version 4.1 and 2.2, vtkGmshMeshWriter;
+ * - .exo, .e: Exodus II, vtkExodusMeshWriter;
+ * - .ucd: AVS UCD, vtkUCDMeshWriter.
  *
  * <b>Errors:</b> one: no cells, another extension, a file that can't be written. Write() returns 0
  * then. GetErrorCode() is a code of
@@ -18,7 +23,7 @@
  *
  * <b>Cost:</b> linear.
  *
- * @sa vtkHexMeshReader vtkMeditMeshWriter
+ * @sa vtkHexMeshReader vtkMeditMeshWriter vtkSolverMeshWriter
  */
 
 #ifndef vtkHexMeshWriter_h

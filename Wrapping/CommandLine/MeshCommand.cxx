@@ -19,8 +19,10 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 namespace featurehex
@@ -49,10 +51,13 @@ Status CheckDifferent(const std::string& a, const std::string& b)
 Status CheckFiles(const MeshArguments& arguments)
 {
   const std::string extension = FileExtension(arguments.Output);
-  if (extension != ".vtu" && extension != ".vtk" && extension != ".mesh")
+  const char* const formats[] = { ".vtu", ".vtk", ".mesh", ".inp", ".msh", ".msh2", ".exo", ".e",
+    ".ucd" };
+  if (std::find(std::begin(formats), std::end(formats), extension) == std::end(formats))
   {
     return Status(StatusCode::InvalidOption,
-      "\"" + arguments.Output + "\": hex meshes are written as .vtu, .vtk or .mesh.");
+      "\"" + arguments.Output +
+        "\": hex meshes are written as .vtu, .vtk, .mesh, .inp, .msh, .msh2, .exo, .e or .ucd.");
   }
   Status status = CheckDifferent(arguments.Input, arguments.Output);
   if (status.Ok())
