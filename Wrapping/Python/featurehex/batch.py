@@ -192,7 +192,7 @@ def _parse(arguments: Sequence[str]) -> Tuple[argparse.Namespace, List[str]]:
     parser.add_argument("--time-limit", metavar="S", type=_limit, default=600.0,
                         help="seconds for each model; 0: none (default 600)")
     parser.add_argument("--memory-limit", metavar="MB", type=_limit, default=0.0,
-                        help="that each model may allocate; 0: none (default)")
+                        help="that each model may use; 0: none (default)")
     parser.add_argument("--features", metavar="DIR",
                         help="sharp features of NAME are DIR/NAME.fgraph, where there is one")
     parser.add_argument("--retry-failed", action="store_true",

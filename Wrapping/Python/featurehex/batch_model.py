@@ -3,6 +3,7 @@
 
 import contextlib
 import fcntl
+import glob
 import hashlib
 import json
 import os
@@ -40,7 +41,7 @@ class Settings:
     options: List[str]  #: of featurehex mesh
     threads: int = 0
     time_limit: float = 0.0  #: seconds, 0: none
-    memory_limit: int = 0  #: bytes, 0: none
+    memory_limit: int = 0  #: bytes resident, 0: none
     retry_failed: bool = False  #: what failed before this batch started
     started: float = field(default_factory=time.time)
     pictures: bool = True
@@ -102,15 +103,18 @@ class Model:
 
     def make(self, lock: int) -> Report:
         """Meshes the model. Raises Interrupted."""
-        for path in (self.path("reports", ".json"), self.mesh, self.picture):
+        raw = self.path(".batch", ".json")
+        files = [self.path("reports", ".json"), raw, self.mesh, self.picture]
+        for path in files:
             os.makedirs(os.path.dirname(path), exist_ok=True)
             with contextlib.suppress(FileNotFoundError):
                 os.remove(path)
-        raw = self.path(".batch", ".json")
-        with contextlib.suppress(FileNotFoundError):
-            os.remove(raw)
         start = time.monotonic()
         code, killed, peak, errors = self._run(self._command(raw), lock)
+        # Of a process that was killed, now or in an earlier batch.
+        for path in files:
+            for leftover in glob.glob(glob.escape(path) + ".part-*"):
+                os.remove(leftover)
         try:
             with open(raw, encoding="utf-8") as file:
                 report = json.load(file)
@@ -175,8 +179,8 @@ class Model:
             command += ["--features", self.features]
         return command
 
-    def _run(self, command: List[str], lock: int) -> Tuple[int, bool, int, List[str]]:
-        """(exit code, killed for its time, peak memory in bytes, lines of standard error)"""
+    def _run(self, command: List[str], lock: int) -> Tuple[int, str, int, List[str]]:
+        """(exit code, killed for what, peak memory in bytes, lines of standard error)"""
         settings = self.settings
         start = time.monotonic()
         peak = 0
@@ -186,37 +190,34 @@ class Model:
             process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=errors,
                 env=programs.environment(), start_new_session=True, pass_fds=[lock])
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-                if settings.memory_limit:
-                    # What the process may allocate; then it ends by itself, with a message.
-                    resource.prlimit(process.pid, resource.RLIMIT_DATA, 2 * (settings.memory_limit,))
-            killed = False
+            killed = ""
             while process.poll() is None:
+                # Watched from outside: libraries crash where the system refuses them memory.
                 peak = max(peak, _peak_memory(process.pid))
-                if settings.stop.wait(POLL):
-                    _end(process)
-                    raise Interrupted
-                if settings.time_limit and time.monotonic() - start > settings.time_limit + GRACE:
-                    killed = True
+                if settings.memory_limit and peak > settings.memory_limit:
+                    killed = "OutOfMemory"
+                elif settings.time_limit and time.monotonic() - start > settings.time_limit + GRACE:
+                    killed = "TimeLimit"
+                if killed:
                     process.kill()
                     process.wait()
+                elif settings.stop.wait(POLL):
+                    _end(process)
+                    raise Interrupted
             errors.seek(0)
             lines = errors.read().decode(errors="replace").strip().splitlines()
         os.remove(self.path(".batch", ".err"))
         return process.returncode, killed, peak, lines
 
-    def _failure(self, status: Report, code: int, killed: bool, errors: List[str]) -> Report:
+    def _failure(self, status: Report, code: int, killed: str, errors: List[str]) -> Report:
         """The status of a model without a mesh, in words."""
-        limit = self.settings.memory_limit
         last = errors[-1] if errors else ""
-        memory = "bad_alloc" in " ".join(errors) or "out of memory" in last
-        if killed:
-            status = {"code": "TimeLimit", "message": "Killed: it went on for %g s after its time "
-                      "limit of %g s." % (GRACE, self.settings.time_limit)}
-        elif not status and memory:
-            status = {"code": "OutOfMemory",
-                      "message": "Out of memory. Raise the edge length or the memory limit."}
+        if killed == "OutOfMemory":
+            status = {"code": killed, "message": "Memory limit of %d MB reached. Raise it, or the "
+                      "edge length." % (self.settings.memory_limit // 10**6)}
+        elif killed:
+            status = {"code": killed, "message": "Killed: it went on for %g s after its time limit "
+                      "of %g s." % (GRACE, self.settings.time_limit)}
         elif not status and code == -signal.SIGKILL:
             status = {"code": "Killed", "message": "Killed from outside, perhaps by the system when "
                       "memory ran out: set a memory limit, or start fewer models at once."}
@@ -227,8 +228,6 @@ class Model:
             words = last.split(": ", 2)
             status = {"code": words[1] if len(words) == 3 else "Unexpected",
                       "message": words[-1] or "Ended with exit code %d, without a word." % code}
-        if status["code"] == "OutOfMemory" and limit:
-            status["message"] = "Memory limit of %d MB: %s" % (limit // 10**6, status["message"])
         return {**status, "exit-code": code}
 
 

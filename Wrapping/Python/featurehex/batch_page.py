@@ -29,13 +29,14 @@ _STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; color: #222; margin: 2em auto; max-width: 75em;
   padding: 0 1em; }
 h1 { font-size: 1.6em; margin-bottom: 0; } h2 { font-size: 1.2em; margin-top: 2em; }
-.charts { display: flex; flex-wrap: wrap; gap: 1em; }
-figure { margin: 0; flex: 1 1 21em; max-width: 30em; } figcaption { color: #555; }
+.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(24em, 1fr)); gap: 1em;
+  max-width: 62em; }
+figure { margin: 0; } figcaption { color: #555; text-align: center; }
 svg { width: 100%; height: auto; }
 table { border-collapse: collapse; width: 100%; }
 th, td { padding: .3em .6em; border-bottom: 1px solid #ddd; text-align: right; }
-th { vertical-align: bottom; } thead th { border-bottom: 2px solid #888; }
-th:first-child, td:first-child, .words { text-align: left; }
+thead th { vertical-align: bottom; border-bottom: 2px solid #888; }
+th:first-child, td:first-child, th.words, td.words { text-align: left; }
 tbody th { font-weight: normal; } td img { display: block; }
 .bad { color: #a01020; } .note { color: #555; }
 .scale { display: inline-block; width: 12em; height: .8em; vertical-align: middle;
@@ -160,7 +161,9 @@ def _models(settings: Settings, rows: List[Row]) -> str:
         "</p>\n<table><thead><tr>%s</tr></thead>\n<tbody>%s</tbody></table>" % (
             " Corners, curves, patches: captured one to one, of those asked for."
             if with_features else "",
-            "".join("<th scope=\"col\">%s</th>" % head for head in heads), "\n".join(lines)))
+            "".join("<th scope=\"col\"%s>%s</th>" % (
+                " class=\"words\"" if head == "Model" else "", head) for head in heads),
+            "\n".join(lines)))
 
 
 def _model(settings: Settings, row: Row, with_features: bool) -> str:
@@ -202,7 +205,9 @@ def _histograms(good: List[Row]) -> str:
     ratios = [row["hausdorff_percent"] for row in good]
     hexes = [row["hexes"] for row in good]
     low = math.floor(4 * math.log10(min(hexes)))
-    high = max(low + 1, math.floor(4 * math.log10(max(hexes))) + 1)
+    high = math.floor(4 * math.log10(max(hexes))) + 1
+    # Whole decades.
+    low, high = 4 * math.floor(low / 4), 4 * math.ceil(high / 4)
     charts = (
         ("Minimum scaled Jacobian", [row["msj"] for row in good], fractions),
         ("Mean scaled Jacobian", [row["asj"] for row in good], fractions),
@@ -231,9 +236,9 @@ def _counts(values: Sequence[float], edges: Sequence[float]) -> List[int]:
 
 def _histogram(title: str, values: Sequence[float], edges: Sequence[float]) -> str:
     """An SVG picture; how many models are in each bin."""
-    width, height, left, bottom, top = 360, 200, 30, 24, 14
+    width, height, side, bottom, top = 360, 200, 20, 24, 14
     counts = _counts(values, edges)
-    step = (width - left - 10) / len(counts)
+    step = (width - 2 * side) / len(counts)
     unit = (height - bottom - top) / max(counts)
     base = height - bottom
     parts = ["<svg viewBox=\"0 0 %d %d\" role=\"img\" aria-label=\"%s of %d models\" "
@@ -241,17 +246,16 @@ def _histogram(title: str, values: Sequence[float], edges: Sequence[float]) -> s
                  width, height, _escape(title), len(values))]
     for i, count in enumerate(counts):
         if count:
-            x, y = left + i * step, base - count * unit
+            x, y = side + i * step, base - count * unit
             parts.append(
                 "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"><title>"
                 "%s to %s: %d</title></rect>" % (x + 0.5, y, max(1, step - 1), count * unit, _BAR,
                                                  _short(edges[i]), _short(edges[i + 1]), count))
             parts.append("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"9\">%d"
                          "</text>" % (x + step / 2, y - 2, count))
-    parts.append("<path d=\"M%d %d H%d\" stroke=\"%s\"/>" % (left, base, width - 10, _AXIS))
-    every = 4 if len(counts) > 12 else max(1, round(len(counts) / 5))
-    for i in range(0, len(edges), every):
-        x = left + i * step
+    parts.append("<path d=\"M%d %d H%d\" stroke=\"%s\"/>" % (side, base, width - side, _AXIS))
+    for i in range(0, len(edges), 4):
+        x = side + i * step
         parts.append("<path d=\"M%.1f %d v4\" stroke=\"%s\"/><text x=\"%.1f\" y=\"%d\" "
                      "text-anchor=\"middle\">%s</text>" % (x, base, _AXIS, x, base + 16,
                                                            _short(edges[i])))
