@@ -18,6 +18,8 @@ namespace
 {
 /// After so many halvings a node goes back wholly.
 constexpr int MaximumHalvings = 3;
+/// A curved hex shall keep at least this part of the ratio that its linear one has.
+constexpr double KeptRatio = 0.2;
 
 using Key = std::array<Index, 4>; ///< sorted corners; of an edge the first two are -1
 
@@ -98,7 +100,7 @@ public:
   }
 
 private:
-  Status CheckInput() const
+  Status CheckInput()
   {
     if (this->Options.NodesPerHex != 20 && this->Options.NodesPerHex != 27)
     {
@@ -114,6 +116,7 @@ private:
             " isn't proven valid, so a quadratic one can't be either. Hex Validation shows what is "
             "wrong with the mesh.");
       }
+      this->Wanted.push_back(KeptRatio * std::max(0.0, certificates[h].Ratio()));
     }
     return {};
   }
@@ -318,7 +321,7 @@ private:
     }
   }
 
-  /// Until every curved hex is proven: those that aren't take their nodes back by half. Ends,
+  /// Until every curved hex is proven and as good as wanted: those that aren't take their nodes back by half. Ends,
   /// because each round halves something, and nothing more than MaximumHalvings times.
   bool KeepValid(Monitor& monitor)
   {
@@ -345,7 +348,7 @@ private:
         this->VisitNodes(h,
           [&](const AddedNode& node)
           {
-            if (ratios[h] <= 0.0 && Moves(node))
+            if ((ratios[h] <= 0.0 || ratios[h] < this->Wanted[h]) && Moves(node))
             {
               next[static_cast<std::size_t>(&node - this->Added.data())].Halvings =
                 node.Halvings + 1;
@@ -422,6 +425,7 @@ private:
   std::vector<AddedNode> Added;
   std::vector<double> Lengths; ///< of the edge or quad of each added node
   std::vector<char> TooFar;
+  std::vector<double> Wanted; ///< ratio of each hex
   std::map<Index, Quad> Quads; ///< boundary quads of mid-face nodes
   std::vector<Index> HexEdgeNodes; ///< 12 a hex, positions in Added
   std::vector<Index> HexFaceNodes; ///< 6 a hex; empty with 20 nodes

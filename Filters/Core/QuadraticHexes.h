@@ -50,7 +50,8 @@ struct QuadraticMesh
 
 /// Adds a node in the middle of each edge, with 27 nodes also of each face and hex. Those on the
 /// boundary move to the closest point of the surface, those on an edge of a feature curve to the
-/// closest point of this curve. A hex whose Jacobian isn't proven positive everywhere then takes
+/// closest point of this curve. A hex whose Jacobian isn't proven positive everywhere, or whose
+/// ratio of smallest to largest determinant falls below a fifth of that of the linear hex, then takes
 /// its nodes back, by halves and in the end wholly: straight hexes are as valid as the linear ones.
 /// With 27 nodes the other nodes of a curved hex follow, as the 20-node hex has them.
 ///

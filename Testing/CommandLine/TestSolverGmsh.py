@@ -66,4 +66,5 @@ def check(place, *options):
 
 
 with folder() as place:
-    check(place)
+    for number in ("8", "20", "27"):
+        check(place, "--nodes-per-hex", number)

@@ -25,6 +25,7 @@ struct MeshArguments
   std::string Report; ///< empty: none
   FeatureArguments Features;
   int Threads = 0;    ///< 0: all cores
+  int NodesPerHex = 8; ///< 8, 20 or 27
 
   // Defaults and ranges are those of vtkFeatureHexMesher.
   double Tolerance = 0.0;

@@ -2,14 +2,13 @@
 #include "Commands.h"
 
 #include "Figures.h"
+#include "ReadFeatures.h"
 #include "Report.h"
 #include "RunAlgorithm.h"
 #include "Threads.h"
 
-#include "vtkFeatureGraphReader.h"
 #include "vtkHexMeshReader.h"
 #include "vtkHexValidationFilter.h"
-#include "vtkSurfaceFeatureFilter.h"
 #include "vtkSurfaceFileReader.h"
 
 #include <vtkNew.h>
@@ -23,36 +22,6 @@ namespace featurehex
 {
 namespace
 {
-/// The feature graph of the surface as @a arguments ask for it.
-Status ReadFeatures(
-  const FeatureArguments& arguments, vtkPolyData* surface, RunLog& log, vtkPolyData* graph)
-{
-  vtkNew<vtkFeatureGraphReader> reader;
-  Status status;
-  if (!arguments.File.empty())
-  {
-    reader->SetInputDataObject(surface);
-    reader->SetFileName(arguments.File.c_str());
-    status = RunAlgorithm(reader, StatusCode::UnreadableFile, log);
-    graph->ShallowCopy(reader->GetOutput());
-  }
-  if (status.Ok() && arguments.ByAngle)
-  {
-    vtkNew<vtkSurfaceFeatureFilter> features;
-    features->SetInputDataObject(0, surface);
-    features->SetFeatureAngle(arguments.Angle);
-    features->SetEnforceAllFeatures(arguments.EnforceAll);
-    if (!arguments.File.empty())
-    {
-      features->SetInputDataObject(1, reader->GetOutput());
-      features->SetAnnotationModeToAdd();
-    }
-    status = RunAlgorithm(features, StatusCode::Validation, log);
-    graph->ShallowCopy(features->GetOutputDataObject(1));
-  }
-  return status;
-}
-
 /// Reads and measures; prints the table.
 Status Measure(const CheckArguments& arguments, RunLog& log, Report& report)
 {

@@ -3,6 +3,7 @@
 
 #include "Figures.h"
 #include "FileAccess.h"
+#include "ReadFeatures.h"
 #include "Report.h"
 #include "RunAlgorithm.h"
 #include "Threads.h"
@@ -10,8 +11,10 @@
 #include "vtkFeatureGraphReader.h"
 #include "vtkFeatureHexMesher.h"
 #include "vtkHexMeshWriter.h"
+#include "vtkQuadraticHexFilter.h"
 #include "vtkSurfaceFileReader.h"
 
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -59,6 +62,14 @@ Status CheckFiles(const MeshArguments& arguments)
       "\"" + arguments.Output +
         "\": hex meshes are written as .vtu, .vtk, .mesh, .inp, .msh, .msh2, .exo, .e or .ucd.");
   }
+  const int most = extension == ".mesh" || extension == ".ucd" ? 8 : extension == ".inp" ? 20 : 27;
+  if (arguments.NodesPerHex > most)
+  {
+    return Status(StatusCode::InvalidOption,
+      "\"" + arguments.Output + "\": " + extension + " holds hexes of at most " +
+        std::to_string(most) + " nodes; --nodes-per-hex asks for " +
+        std::to_string(arguments.NodesPerHex) + ".");
+  }
   Status status = CheckDifferent(arguments.Input, arguments.Output);
   if (status.Ok())
   {
@@ -94,7 +105,7 @@ void AddOptions(const MeshArguments& arguments, Report& report)
     { "max-level", arguments.MaximumLevel }, { "max-cells", arguments.MaximumNumberOfCells },
     { "max-rounds", arguments.MaximumRounds },
     { "min-scaled-jacobian", arguments.MinimumScaledJacobian }, { "align", arguments.Align },
-    { "time-limit", arguments.TimeLimit }, { "threads", arguments.Threads } };
+    { "time-limit", arguments.TimeLimit }, { "nodes-per-hex", arguments.NodesPerHex }, { "threads", arguments.Threads } };
 }
 
 void SetOptions(const MeshArguments& arguments, vtkFeatureHexMesher* mesher)
@@ -158,6 +169,43 @@ void CopyForFile(vtkUnstructuredGrid* mesh, bool legacy, vtkUnstructuredGrid* co
   }
 }
 
+/// Replaces the linear hexes of @a mesh when @a arguments ask for more nodes.
+Status AddNodes(const MeshArguments& arguments, vtkPolyData* surface, RunLog& log,
+  Report& report, vtkUnstructuredGrid* mesh)
+{
+  if (arguments.NodesPerHex == 8)
+  {
+    return Status();
+  }
+  const double before = report.Seconds();
+  vtkNew<vtkPolyData> graph;
+  Status status = ReadFeatures(arguments.Features, surface, log, graph);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  vtkNew<vtkQuadraticHexFilter> quadratic;
+  quadratic->SetHexType(arguments.NodesPerHex == 27 ? vtkQuadraticHexFilter::Nodes27
+                                                    : vtkQuadraticHexFilter::Nodes20);
+  quadratic->SetInputDataObject(0, mesh);
+  quadratic->SetInputDataObject(1, surface);
+  quadratic->SetInputDataObject(2, graph);
+  status = RunAlgorithm(quadratic, StatusCode::Validation, log);
+  auto* result = vtkUnstructuredGrid::SafeDownCast(quadratic->GetOutputDataObject(0));
+  for (const char* name : { "BoundaryNodes", "NodesOnSurface", "NodesShortened", "NodesTooFar",
+         "SmallestJacobianRatio" })
+  {
+    vtkDataArray* figure = result->GetFieldData()->GetArray(name);
+    if (figure)
+    {
+      report.AddFigure(name, figure->GetComponent(0, 0));
+    }
+  }
+  report.AddStage("QuadraticHexes", report.Seconds() - before);
+  mesh->ShallowCopy(result);
+  return status;
+}
+
 /// Reads, meshes, writes; @a summary is for people.
 Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std::string& summary)
 {
@@ -199,10 +247,15 @@ Status MakeMesh(const MeshArguments& arguments, RunLog& log, Report& report, std
   }
 
   summary = SummaryLine(statistics);
-  before = report.Seconds();
   vtkNew<vtkUnstructuredGrid> mesh;
   CopyForFile(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)),
     FileExtension(arguments.Output) == ".vtk", mesh);
+  status = AddNodes(arguments, reader->GetOutput(), log, report, mesh);
+  if (!status.Ok())
+  {
+    return status;
+  }
+  before = report.Seconds();
   vtkNew<vtkHexMeshWriter> writer;
   writer->SetInputData(mesh);
   writer->SetFileName(arguments.Output.c_str());

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <set>
 #include <string>
 
 namespace
@@ -93,7 +94,8 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
   command->add_option("surface", arguments.Input, "STL, OBJ, PLY, OFF, VTP or legacy VTK")
     ->type_name("IN")
     ->required();
-  command->add_option("-o,--output", arguments.Output, "VTU, legacy VTK or Medit .mesh")
+  command->add_option("-o,--output", arguments.Output, "By extension: .vtu, .vtk (legacy), .mesh (Medit), .inp (Abaqus, CalculiX), .msh, .msh2 (Gmsh "
+    "4.1, 2.2), .exo, .e (Exodus), .ucd (AVS UCD, deal.II)")
     ->type_name("OUT")
     ->required();
 
@@ -134,6 +136,13 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
     mesher->GetMinimumScaledJacobianMinValue(), mesher->GetMinimumScaledJacobianMaxValue(), "Q",
     "Wanted smallest scaled Jacobian; best effort");
   command->add_flag("--align", arguments.Align, "Align the hexes with the principal axes");
+  command
+    ->add_option("--nodes-per-hex", arguments.NodesPerHex,
+      "8: linear; 20 or 27: quadratic, boundary nodes on the surface (not for .mesh and .ucd; .inp "
+      "up to 20)")
+    ->type_name("N")
+    ->capture_default_str()
+    ->check(CLI::IsMember(std::set<int>{ 8, 20, 27 }));
   return command;
 }
 
