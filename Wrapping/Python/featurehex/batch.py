@@ -84,7 +84,9 @@ class _Batch:
                     worker.join(0.2)
         finally:
             for number, handler in old.items():
-                signal.signal(number, handler)
+                # None: not of Python, and out of its reach.
+                if handler is not None:
+                    signal.signal(number, handler)
         self._write_summary()
 
     def reports(self) -> Dict[str, Report]:
@@ -115,7 +117,7 @@ class _Batch:
                     return False
                 if not model.finished():
                     self._announce(model, model.make(lock))
-                if self.settings.pictures and not os.path.exists(model.picture):
+                if self.settings.pictures and not model.drawn():
                     error = model.draw()
                     if error:
                         _say("%s: no picture: %s" % (model.name, error))

@@ -134,6 +134,19 @@ class Model:
         write(self.path("reports", ".json"), json.dumps(report, indent=2) + "\n")
         return report
 
+    def drawn(self) -> bool:
+        """Whether there is a picture, or no use in another try."""
+        if os.path.exists(self.picture):
+            return True
+        try:
+            path = self.path(".batch", ".undrawn")
+            if self.settings.retry_failed and os.path.getmtime(path) < self.settings.started:
+                return False
+            with open(path, encoding="ascii") as file:
+                return file.read() == self._make_key()
+        except OSError:
+            return False
+
     def draw(self) -> str:
         """Makes the picture: the mesh cut open, of a failed model the surface. The error, or ""."""
         have_mesh = os.path.exists(self.mesh)
@@ -145,18 +158,12 @@ class Model:
             command += ["--features", self.features]
         # One at a time: xvfb-run looks for a free display.
         with locked(os.path.join(self.settings.output, ".batch", "picture.lock"), wait=True):
-            try:
-                done = subprocess.run(
-                    command, env=programs.environment(), timeout=_PICTURE_SECONDS, text=True,
-                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                    errors="replace", check=False, start_new_session=True)
-            except (OSError, subprocess.TimeoutExpired) as error:
-                return str(error)
-        if done.returncode == 0 and os.path.exists(temporary):
+            message = _draw(command)
+        if not message and os.path.exists(temporary):
             os.replace(temporary, self.picture)
             return ""
-        lines = done.stdout.strip().splitlines()
-        return lines[-1] if lines else "exit code %s" % done.returncode
+        write(self.path(".batch", ".undrawn"), self._make_key())
+        return message or "the program that draws left none"
 
     def _make_key(self) -> str:
         """Changes with all that the result depends on."""
@@ -253,6 +260,26 @@ def write(path: str, text: str) -> None:
     with open(temporary, "w", encoding="utf-8") as file:
         file.write(text)
     os.replace(temporary, path)
+
+
+def _draw(command: List[str]) -> str:
+    """The error, or ""."""
+    try:
+        with subprocess.Popen(
+                command, env=programs.environment(), text=True, errors="replace",
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                start_new_session=True) as process:
+            try:
+                output, _ = process.communicate(timeout=_PICTURE_SECONDS)
+            except subprocess.TimeoutExpired:
+                # With the display that xvfb-run has started.
+                os.killpg(process.pid, signal.SIGKILL)
+                return "no end within %d s" % _PICTURE_SECONDS
+    except OSError as error:
+        return str(error)
+    lines = output.strip().splitlines()
+    return "" if process.returncode == 0 else lines[-1] if lines else (
+        "exit code %d" % process.returncode)
 
 
 def _end(process: "subprocess.Popen[bytes]") -> None:

@@ -10,7 +10,6 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
-from vtkmodules.vtkFiltersExtraction import vtkExtractCells
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
@@ -25,6 +24,12 @@ from vtkmodules.vtkRenderingCore import (
 # From violet (0) through red and yellow to green and blue (1): bad cells stand out.
 COLORS = [(0.40, 0.00, 0.40), (0.75, 0.05, 0.15), (0.90, 0.40, 0.10), (0.98, 0.80, 0.25),
           (0.75, 0.88, 0.45), (0.40, 0.76, 0.60), (0.25, 0.60, 0.80), (0.20, 0.40, 0.75)]
+
+try:
+    from vtkmodules.vtkFiltersExtraction import vtkExtractCells
+except ImportError:
+    # Where ParaView's VTK has it.
+    from vtkmodules.vtkFiltersCore import vtkExtractCells
 
 SURFACE_READERS = {".obj": vtkOBJReader, ".stl": vtkSTLReader, ".ply": vtkPLYReader,
                    ".vtp": vtkXMLPolyDataReader, ".vtk": vtkPolyDataReader}
