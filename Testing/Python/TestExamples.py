@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The examples classes.py and features.py run, and importing the package selects the threads."""
+"""The examples arrays.py, classes.py and features.py run; importing the package selects the
+threads."""
 import importlib.util
 import os
 import tempfile
@@ -43,6 +44,12 @@ with tempfile.TemporaryDirectory() as folder:
     reader.SetFileName(mesh)
     reader.Update()
     assert reader.GetOutput().GetNumberOfCells() > 100
+
+    made = load("arrays").main(os.path.join(source, "Data", "sphere.stl"), mesh,
+                               tolerance=0.02, edge_length=0.25)
+    reader.Modified()
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfCells() == len(made.hexes)
 
     surface, features = write_cube(folder)
     for feature_file in (features, ""):
