@@ -83,7 +83,7 @@ class HexMesh:
         return grid
 
     def save(self, path: str) -> None:
-        """Writes .vtu, legacy .vtk or Medit .mesh. Raises MeshingError."""
+        """Writes .vtu, .vtk, .mesh, .inp, .msh, .msh2, .exo, .e or .ucd. Raises MeshingError."""
         writer = vtkHexMeshWriter()
         writer.SetInputDataObject(self.to_vtk())
         writer.SetFileName(path)
