@@ -87,7 +87,15 @@ with tempfile.TemporaryDirectory() as folder:
         file.writelines("%g %g %g\n" % tuple(point) for point in CORNERS)
         file.writelines("4 %d %d %d %d\n" % quad for quad in QUADS)
     assert numpy.array_equal(featurehex.read_surface(path)[1], TRIANGLES)
-    fails(featurehex.MeshingError, "nothing", featurehex.read_mesh, os.path.join(folder, "nothing"))
+    for words, code, function, *arguments in (
+            ("nothing", "UnreadableFile", featurehex.read_mesh, os.path.join(folder, "nothing")),
+            ("nothing", "UnreadableFile", featurehex.read_surface, os.path.join(folder, "nothing")),
+            ("nothing", "UnreadableFile", featurehex.read_features,
+             os.path.join(folder, "nothing"), CORNERS, TRIANGLES),
+            ("nowhere", "UnwritableFile", cube.save, os.path.join(folder, "nowhere", "out.vtu")),
+            (".vtu .mesh", "UnwritableFile", cube.save, os.path.join(folder, "out.xyz"))):
+        error = fails(featurehex.MeshingError, words, function, *arguments)
+        assert error.code == code, (error.code, error)
 
 #--- errors ----------------------------------------------------------------------------------------
 error = fails(featurehex.MeshingError, "Open boundary triangle", featurehex.mesh,
@@ -149,8 +157,8 @@ print("%d steps of another thread in %.2f s of meshing" % (counted, seconds))
 assert counted > 50 * seconds, (counted, seconds)
 
 results = []
-threads = [threading.Thread(target=lambda: results.append(featurehex.mesh(points, triangles, **FAST)))
-           for _ in range(2)]
+threads = [threading.Thread(
+    target=lambda: results.append(featurehex.mesh(points, triangles, **FAST))) for _ in range(2)]
 for thread in threads:
     thread.start()
 for thread in threads:

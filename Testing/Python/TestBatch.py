@@ -12,7 +12,8 @@ import time
 from urllib.parse import unquote
 
 from batches import (
-    CAN_DRAW, FAST, GOOD, NAMES, ODD, SOURCE, SPHERE, Page, made, make_models, python, run, start, table)
+    CAN_DRAW, FAST, GOOD, NAMES, ODD, SOURCE, SPHERE, Page, made, make_models, python, run, start,
+    table)
 
 
 def check_page(out):
@@ -28,9 +29,9 @@ def check_page(out):
                   "HR %", "Hexes", "Time s"):
         assert words in page.words, words
     # Four histograms, in which each good model is counted once.
-    titles = ["Minimum scaled Jacobian", "Mean scaled Jacobian", "Hausdorff ratio, % of the diagonal",
-              "Hexes"]
-    assert [label for label in page.values("aria-label")] == [
+    titles = ["Minimum scaled Jacobian", "Mean scaled Jacobian",
+              "Hausdorff ratio, % of the diagonal", "Hexes"]
+    assert page.values("aria-label") == [
         title + " of 3 models" for title in titles]
     for chart in page.source.split("<svg")[1:]:
         counts = [int(part.split("</title>")[0].rsplit(": ", 1)[1])

@@ -80,7 +80,8 @@ def check_screenshot(path):
     assert bars > 1000 and colours > (30 if CAN_DRAW else 5), (bars, colours)
 
 
-browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), "")
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+browser = next(filter(None, map(shutil.which, BROWSERS)), "")
 if browser:
     with tempfile.TemporaryDirectory() as place:
         models, out = os.path.join(place, "models"), os.path.join(place, "out")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of "python -m featurehex batch" share: a folder of models, runs, the page's parts."""
+"""What the tests of "python -m featurehex batch" share: a folder of models, runs, the page."""
 import os
 import shutil
 import subprocess

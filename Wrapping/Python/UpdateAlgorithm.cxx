@@ -52,13 +52,23 @@ struct Listener
     }
   }
 };
+/// For errors without a code of ours: files have those of VTK.
+StatusCode CodeOfKind(vtkAlgorithm* algorithm)
+{
+  if (algorithm->IsA("vtkWriter"))
+  {
+    return StatusCode::UnwritableFile;
+  }
+  return algorithm->GetErrorCode() != vtkErrorCode::NoError ? StatusCode::UnreadableFile
+                                                            : StatusCode::Validation;
+}
 } // namespace
 
 extern "C"
 {
   /// Updates the vtkAlgorithm at @a object.
   /// @param error receives the first error message, cut to @a size bytes.
-  /// @return number of the StatusCode; of those without one Validation.
+  /// @return number of the StatusCode.
   __attribute__((visibility("default"))) int FeatureHexUpdateAlgorithm(vtkObjectBase* object,
     ProgressFunction progress, WarningFunction warning, char* error, std::size_t size)
   {
@@ -88,7 +98,7 @@ extern "C"
     }
     error[listener.Error.copy(error, size - 1)] = '\0';
     return static_cast<int>(
-      featurehex::CodeOf(listener.Algorithm->GetErrorCode(), StatusCode::Validation));
+      featurehex::CodeOf(listener.Algorithm->GetErrorCode(), CodeOfKind(listener.Algorithm)));
   }
 
   /// "OpenBoundary" and so on.

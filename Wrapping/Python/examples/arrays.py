@@ -24,7 +24,7 @@ def main(surface_file, mesh_file, **options):
         len(mesh.points), len(mesh.hexes), quality.min(), quality.max(),
         numpy.round(mesh.points[mesh.hexes[worst]].mean(axis=0), 3)))
     checked = featurehex.check(mesh, points, triangles, tolerance=options.get("tolerance"))
-    print("%s; no point of the boundary is farther than %.3f %% of the diagonal from the surface" % (
+    print("%s; no point of the boundary is farther than %.3f %% of the diagonal from the part" % (
         checked.verdict, 100 * checked.figures["HausdorffUpper"]))
     mesh.save(mesh_file)
     return mesh

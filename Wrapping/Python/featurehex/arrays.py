@@ -14,7 +14,8 @@ from vtkmodules.vtkCommonDataModel import (
 from .update import MeshingError, Progress, update
 from .vtkFeatureHexIO import (
     vtkFeatureGraphReader, vtkHexMeshReader, vtkHexMeshWriter, vtkSurfaceFileReader)
-from .vtkFeatureHexPipeline import vtkFeatureHexMesher, vtkHexValidationFilter, vtkSurfaceFeatureFilter
+from .vtkFeatureHexPipeline import (
+    vtkFeatureHexMesher, vtkHexValidationFilter, vtkSurfaceFeatureFilter)
 
 __all__ = ["Features", "Finding", "HexMesh", "MeshCheck", "check", "mesh", "read_features",
            "read_mesh", "read_surface"]
@@ -54,7 +55,7 @@ class HexMesh:
     points: Floats
     #: (k, 8): ids of the points of each hexahedron, in VTK's order.
     hexes: Ids
-    #: FeatureKind (0 interior, 1 surface, 2 curve, 3 corner), FeatureId (of the patch, curve, corner).
+    #: FeatureKind (0 interior, 1 surface, 2 curve, 3 corner), FeatureId (of patch, curve, corner).
     point_data: Arrays = field(default_factory=dict)
     #: Region (body, 1 and up), Level (halvings of the edge length), ScaledJacobian.
     cell_data: Arrays = field(default_factory=dict)
@@ -219,7 +220,7 @@ def read_mesh(path: str) -> HexMesh:
 
 
 def _set(algorithm, **options: Union[float, int, None]) -> None:
-    """Sets what is given. The setters clamp in silence: what isn't taken as it is was out of range."""
+    """Sets what is given. Setters clamp in silence: what isn't taken as it is was out of range."""
     for name, value in options.items():
         if value is None:
             continue
@@ -373,8 +374,9 @@ def _findings_of(table) -> List[Finding]:
     def value(row: int, name: str):
         return table.GetValueByName(row, name)
 
-    return [Finding(value(row, "Kind").ToString(), value(row, "Id").ToInt(), value(row, "Outcome").ToString(),
-                    value(row, "Reason").ToString(), value(row, "Deviation").ToDouble(),
-                    (value(row, "X").ToDouble(), value(row, "Y").ToDouble(),
-                     value(row, "Z").ToDouble()))
+    return [Finding(
+        kind=value(row, "Kind").ToString(), id=value(row, "Id").ToInt(),
+        outcome=value(row, "Outcome").ToString(), reason=value(row, "Reason").ToString(),
+        deviation=value(row, "Deviation").ToDouble(),
+        where=(value(row, "X").ToDouble(), value(row, "Y").ToDouble(), value(row, "Z").ToDouble()))
             for row in range(table.GetNumberOfRows())]

@@ -226,8 +226,8 @@ class Model:
             status = {"code": killed, "message": "Killed: it went on for %g s after its time limit "
                       "of %g s." % (GRACE, self.settings.time_limit)}
         elif not status and code == -signal.SIGKILL:
-            status = {"code": "Killed", "message": "Killed from outside, perhaps by the system when "
-                      "memory ran out: set a memory limit, or start fewer models at once."}
+            status = {"code": "Killed", "message": "Killed from outside, perhaps by the system "
+                      "when memory ran out: set a memory limit, or start fewer models at once."}
         elif not status and code < 0:
             status = {"code": "Crash", "message": "Ended by %s. %s" % (_signal_name(-code), last)}
         elif not status:
@@ -240,7 +240,7 @@ class Model:
 
 @contextlib.contextmanager
 def locked(path: str, wait: bool = False) -> Iterator[Optional[int]]:
-    """The descriptor of a file that is locked meanwhile, or None when somebody else has the lock."""
+    """The descriptor of a file that is locked meanwhile; None: somebody else has the lock."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
     descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
     try:

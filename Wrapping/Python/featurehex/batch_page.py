@@ -155,9 +155,9 @@ def _models(settings: Settings, rows: List[Row]) -> str:
     lines = [_model(settings, row, with_features) for row in rows]
     return (
         "<p>MSJ, ASJ: least and mean of the hexes' scaled Jacobians, each the least of its 8 "
-        "corners. HR: Hausdorff distance between mesh and surface, both ways, proven upper bound, in "
-        "percent of the diagonal of the bounding box. Pictures: the mesh cut open, a hex coloured "
-        "by its scaled Jacobian, 0 <span class=\"scale\"></span> 1; without a mesh, the surface.%s"
+        "corners. HR: Hausdorff distance between mesh and surface, both ways, proven upper bound, "
+        "in percent of the diagonal of the bounding box. Pictures: the mesh cut open, a hex "
+        "coloured by its scaled Jacobian, 0 <span class=\"scale\"></span> 1; without a mesh, the surface.%s"
         "</p>\n<table><thead><tr>%s</tr></thead>\n<tbody>%s</tbody></table>" % (
             " Corners, curves, patches: captured one to one, of those asked for."
             if with_features else "",
@@ -196,8 +196,8 @@ def _picture(settings: Settings, name: str) -> str:
             data = base64.b64encode(file.read()).decode("ascii")
     except OSError:
         return "no picture"
-    return ("<img width=\"160\" height=\"160\" alt=\"Picture of %s\" src=\"data:image/png;base64,%s\">"
-            % (_escape(name), data))
+    return ("<img width=\"160\" height=\"160\" alt=\"Picture of %s\" "
+            "src=\"data:image/png;base64,%s\">" % (_escape(name), data))
 
 
 def _histograms(good: List[Row]) -> str:
@@ -277,7 +277,9 @@ def _number(value: Optional[float]) -> str:
 
 
 def _short(value: float) -> str:
-    return "{:,.0f}".format(value) if value >= 1000 else "%.2g" % value if value < 10 else "%.0f" % value
+    if value >= 1000:
+        return "{:,.0f}".format(value)
+    return "%.2g" % value if value < 10 else "%.0f" % value
 
 
 def _text(value: Any) -> str:
