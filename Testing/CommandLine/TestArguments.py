@@ -15,7 +15,7 @@ for arguments in (["--help"], ["mesh", "--help"], ["check", "--help"]):
         assert re.search(r"^ *%d  \S" % code, text, re.MULTILINE), (code, text)
 for option in ("--output", "--tolerance", "--edge-length", "--no-features", "--report", "--threads",
                "--time-limit", "--max-level", "--max-cells", "--max-rounds",
-               "--min-scaled-jacobian", "--align"):
+               "--min-scaled-jacobian", "--align", "--nodes-per-hex"):
     assert option in succeed("mesh", "--help").out, option
 
 with folder() as place:
@@ -42,11 +42,16 @@ with folder() as place:
             (mesh + ["--max-cells", "0"], "--max-cells"),
             (mesh + ["--max-rounds", "0"], "--max-rounds"),
             (mesh + ["--min-scaled-jacobian", "2"], "--min-scaled-jacobian"),
+            (mesh + ["--nodes-per-hex", "9"], "--nodes-per-hex 9"),
+            (["mesh", SPHERE, "-o", os.path.join(place, "out.mesh"), "--nodes-per-hex", "20"],
+             "out.mesh at most 8 nodes"),
+            (["mesh", SPHERE, "-o", os.path.join(place, "out.inp"), "--nodes-per-hex", "27"],
+             "out.inp at most 20 nodes"),
             (mesh + ["--report"], "--report"),
             (["check"], "mesh required"),
             (["check", out, "--tolerance", "7"], "--tolerance"),
             (["mesh", SPHERE, "-o", os.path.join(place, "out.xyz")], "out.xyz .vtu"),
-            (["mesh", SPHERE, "-o", os.path.join(place, "out")], ".vtu .vtk .mesh"),
+            (["mesh", SPHERE, "-o", os.path.join(place, "out")], ".vtu .vtk .mesh .inp .msh .msh2 .exo .ucd"),
             (mesh + ["--report", out], "out.vtu names")):
         fail(BAD_ARGUMENTS, "InvalidOption", *arguments, words=words)
     assert os.listdir(place) == []
