@@ -24,7 +24,7 @@ with folder() as place:
     assert content["options"] == {
         "tolerance": 0.02, "edge-length": 0.25, "features": "", "feature-angle": 0, "enforce-all-features": False, "max-level": 3,
         "max-cells": 1000000, "max-rounds": 7, "min-scaled-jacobian": 0.4, "align": True,
-        "time-limit": 250, "threads": 1}, content["options"]
+        "time-limit": 250, "nodes-per-hex": 8, "threads": 1}, content["options"]
     missing = figures - set(content["figures"])
     assert not missing, missing
     assert content["figures"]["Valid"] == 1
