@@ -153,7 +153,7 @@ class Model:
         source = self.mesh if have_mesh else self.surface
         temporary = self.path(".batch", ".png")
         command = [*programs.drawing_python(), os.path.join(programs.PACKAGE, "picture.py"), source,
-                   temporary, "--size", "320x320", "--no-legend"]
+                   temporary, "--size", "320x320", "--no-legend", "--axis", "auto"]
         if not have_mesh and self.features and source.lower().endswith(".obj"):
             command += ["--features", self.features]
         # One at a time: xvfb-run looks for a free display.

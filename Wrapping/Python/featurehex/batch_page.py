@@ -236,7 +236,7 @@ def _counts(values: Sequence[float], edges: Sequence[float]) -> List[int]:
 
 def _histogram(title: str, values: Sequence[float], edges: Sequence[float]) -> str:
     """An SVG picture; how many models are in each bin."""
-    width, height, side, bottom, top = 360, 200, 20, 24, 14
+    width, height, side, bottom, top = 360, 200, 28, 24, 14
     counts = _counts(values, edges)
     step = (width - 2 * side) / len(counts)
     unit = (height - bottom - top) / max(counts)

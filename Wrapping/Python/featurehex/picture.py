@@ -64,9 +64,28 @@ def extension_of(path):
     return os.path.splitext(path)[1].lower()
 
 
+def axis_of(text):
+    return text if text == "auto" else int(text)
+
+
 def size_of(text):
     width, height = text.split("x")
     return int(width), int(height)
+
+
+def turn(options, bounds):
+    """Decides --axis auto: the cut that shows most."""
+    if options.axis == "auto":
+        sides = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
+        # The second for equal ones, the default.
+        options.axis = min((1, 0, 2), key=lambda i: sides[i])
+        if options.up == options.axis:
+            options.up = 1 if options.axis == 2 else 2
+
+
+def crowded(faces, size):
+    """Whether edges would leave nothing of the faces: about half of them are seen."""
+    return 0.4 * size[0] * size[1] < 16 * 0.5 * faces
 
 
 def cut_open(mesh, axis, position, sign):
@@ -185,6 +204,7 @@ def color_bar(table, pixels):
 def add_mesh(renderer, options, sign):
     """Returns what is shown of the mesh, and the box of all of it."""
     mesh = with_quality(read(options.mesh, vtkXMLUnstructuredGridReader()))
+    turn(options, mesh.GetBounds())
     part = cut_open(mesh, options.axis, options.position, sign)
     if part.GetNumberOfCells() == 0:
         raise RuntimeError("no cells on this side of the cut")
@@ -195,7 +215,8 @@ def add_mesh(renderer, options, sign):
     surface.SetInputConnection(producer.GetOutputPort())
     surface.Update()
     actor = actor_of(surface.GetOutput())
-    actor.GetProperty().EdgeVisibilityOn()
+    if not crowded(surface.GetOutput().GetNumberOfCells(), options.size):
+        actor.GetProperty().EdgeVisibilityOn()
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     mapper.SetScalarModeToUseCellFieldData()
@@ -211,6 +232,7 @@ def add_mesh(renderer, options, sign):
 
 def add_surface(renderer, options):
     surface = read(options.mesh, SURFACE_READERS[extension_of(options.mesh)]())
+    turn(options, surface.GetBounds())
     actor = actor_of(surface)
     actor.GetProperty().SetInterpolationToFlat()
     actor.GetProperty().SetAmbient(0.5)
@@ -244,7 +266,8 @@ def main():
     parser.add_argument("mesh", help="hex mesh, .vtu, or surface, .obj, .stl, .ply, .vtp or .vtk")
     parser.add_argument("picture", help="result, .png")
     parser.add_argument("--size", type=size_of, default="900x900", help="in pixels, WIDTHxHEIGHT")
-    parser.add_argument("--axis", type=int, default=1, choices=(0, 1, 2), help="normal of the cut")
+    parser.add_argument("--axis", type=axis_of, default=1, choices=(0, 1, 2, "auto"),
+                        help="normal of the cut; auto: along the shortest side")
     parser.add_argument("--position", type=float, default=0.5,
                         help="of the cut, as a fraction of the box; 1: not cut")
     parser.add_argument("--other-side", action="store_true",
