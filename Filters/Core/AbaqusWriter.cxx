@@ -59,8 +59,8 @@ private:
     for (int digits = 16; this->Out.size() - start > NumberWidth; --digits)
     {
       char buffer[32];
-      const auto end = std::to_chars(
-        buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits);
+      const auto end =
+        std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::general, digits);
       this->Out.resize(start);
       this->Out.append(buffer, end.ptr);
     }

@@ -112,8 +112,8 @@ public:
   }
 
   /// Rows of NameLength characters.
-  void Names(const std::string& name, std::vector<int> dimensions,
-    const std::vector<std::string>& texts)
+  void Names(
+    const std::string& name, std::vector<int> dimensions, const std::vector<std::string>& texts)
   {
     std::string data;
     for (std::string text : texts)
@@ -218,7 +218,8 @@ private:
   /// A variable over time has no data yet, but the size of a record.
   std::uint64_t SizeOf(const Entry& variable, std::uint64_t size) const
   {
-    const bool record = !variable.Dimensions.empty() &&
+    const bool record =
+      !variable.Dimensions.empty() &&
       this->Dimensions[static_cast<std::size_t>(variable.Dimensions[0])].Length == 0;
     return record ? 8 : size;
   }
@@ -244,9 +245,9 @@ public:
     {
       if (!labels->empty() && labels->begin()->first < 0)
       {
-        return Status(StatusCode::InvalidMesh,
-          "A body, patch, curve or corner has the number " +
-            std::to_string(labels->begin()->first) + "; Exodus files can't have negative ones.");
+        return Status(StatusCode::InvalidMesh, "A body, patch, curve or corner has the number " +
+                                                 std::to_string(labels->begin()->first) +
+                                                 "; Exodus files can't have negative ones.");
       }
     }
     return {};

@@ -10,8 +10,8 @@ namespace
 {
 /// Gmsh's order of the nodes of a hex, in terms of SolverMesh: corners, mid-edge nodes, mid-face
 /// nodes, the middle ("Gmsh reference manual", 9.2 node ordering).
-constexpr int GmshHexNodes[27] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 16, 9, 17, 10, 18, 19, 12, 15,
-  13, 14, 20, 22, 25, 23, 24, 21, 26 };
+constexpr int GmshHexNodes[27] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 16, 9, 17, 10, 18, 19, 12, 15, 13,
+  14, 20, 22, 25, 23, 24, 21, 26 };
 
 struct ElementTypes
 {
@@ -20,9 +20,9 @@ struct ElementTypes
 
 ElementTypes TypesOf(const SolverMesh& mesh)
 {
-  return mesh.NodesPerHex == 8 ? ElementTypes{ 1, 3, 5 }
-    : mesh.NodesPerHex == 20   ? ElementTypes{ 8, 16, 17 }
-                               : ElementTypes{ 8, 10, 12 };
+  return mesh.NodesPerHex == 8    ? ElementTypes{ 1, 3, 5 }
+         : mesh.NodesPerHex == 20 ? ElementTypes{ 8, 16, 17 }
+                                  : ElementTypes{ 8, 10, 12 };
 }
 
 constexpr int PointType = 15;
@@ -301,7 +301,6 @@ Status WriteGmsh(const std::string& path, const SolverMesh& mesh, GmshVersion ve
     }
   }
   GmshText text(mesh, groups);
-  return WriteFileBytes(
-    path, version == GmshVersion::V22 ? text.Version22() : text.Version41());
+  return WriteFileBytes(path, version == GmshVersion::V22 ? text.Version22() : text.Version41());
 }
 } // namespace featurehex

@@ -99,8 +99,8 @@ void Multiply(const Vectors& a, const Vectors& b, const Product& product, Result
           {
             for (int ib = 0; ib <= b.Degree[0]; ++ib)
             {
-              result(ia + ib, ja + jb, ka + kb) +=
-                yz * Weight(a.Degree[0], ia, b.Degree[0], ib) * product(a(ia, ja, ka), b(ib, jb, kb));
+              result(ia + ib, ja + jb, ka + kb) += yz * Weight(a.Degree[0], ia, b.Degree[0], ib) *
+                                                   product(a(ia, ja, ka), b(ib, jb, kb));
             }
           }
         }
@@ -140,9 +140,9 @@ Vectors Derivative(const Vectors& points, int direction)
     {
       for (int i = 0; i <= result.Degree[0]; ++i)
       {
-        result(i, j, k) = 2.0 *
-          (points(i + (direction == 0), j + (direction == 1), k + (direction == 2)) -
-            points(i, j, k));
+        result(i, j, k) =
+          2.0 * (points(i + (direction == 0), j + (direction == 1), k + (direction == 2)) -
+                  points(i, j, k));
       }
     }
   }
@@ -185,8 +185,7 @@ Numbers UpperHalf(Numbers& first, int direction)
 /// piece that isn't: that is a value of the polynomial.
 double SmallestBound(Numbers& polynomial, double floor, int depth)
 {
-  const double smallest =
-    *std::min_element(polynomial.Values.begin(), polynomial.Values.end());
+  const double smallest = *std::min_element(polynomial.Values.begin(), polynomial.Values.end());
   if (smallest > floor || depth == MaximumDepth)
   {
     return smallest;
@@ -267,9 +266,11 @@ double QuadraticHexRatio(const HexGrid27& nodes)
   const Vectors points = BezierPoints(nodes);
   const Vectors x = Derivative(points, 0), y = Derivative(points, 1), z = Derivative(points, 2);
   Vectors normals(4, 3, 3, Vec3::Zero());
-  Multiply(y, z, [](const Vec3& a, const Vec3& b) -> Vec3 { return a.cross(b); }, normals);
+  Multiply(
+    y, z, [](const Vec3& a, const Vec3& b) -> Vec3 { return a.cross(b); }, normals);
   Numbers determinant(5, 5, 5, 0.0);
-  Multiply(x, normals, [](const Vec3& a, const Vec3& b) { return a.dot(b); }, determinant);
+  Multiply(
+    x, normals, [](const Vec3& a, const Vec3& b) { return a.dot(b); }, determinant);
 
   // Each coefficient is a mean of determinants of such vectors. Their rounding errors are some ten
   // times that of a number as large as the largest Bezier point or vector; 4096 is generous.
@@ -282,8 +283,7 @@ double QuadraticHexRatio(const HexGrid27& nodes)
     }
   }
   const double error = 4096.0 * std::numeric_limits<double>::epsilon() * size * size * size;
-  const double largest =
-    *std::max_element(determinant.Values.begin(), determinant.Values.end());
+  const double largest = *std::max_element(determinant.Values.begin(), determinant.Values.end());
   const double smallest = SmallestBound(determinant, error, 0);
   return smallest > error ? (smallest - error) / (largest + error) : -1.0;
 }

@@ -46,8 +46,8 @@ struct AddedNode
   Vec3 Position() const
   {
     return this->Halvings >= MaximumHalvings
-      ? this->Middle
-      : this->Middle + std::ldexp(1.0, -this->Halvings) * this->Move;
+             ? this->Middle
+             : this->Middle + std::ldexp(1.0, -this->Halvings) * this->Move;
   }
 };
 
@@ -105,14 +105,15 @@ private:
     if (this->Options.NodesPerHex != 20 && this->Options.NodesPerHex != 27)
     {
       return Status(StatusCode::InvalidOption, "Quadratic hexes have 20 or 27 nodes, not " +
-          std::to_string(this->Options.NodesPerHex) + ".");
+                                                 std::to_string(this->Options.NodesPerHex) + ".");
     }
     const std::vector<HexCertificate> certificates = CertifyHexes(this->Mesh);
     for (std::size_t h = 0; h < certificates.size(); ++h)
     {
       if (certificates[h].State != Validity::Valid)
       {
-        return Status(StatusCode::InvalidMesh, "Hex " + std::to_string(h) +
+        return Status(StatusCode::InvalidMesh,
+          "Hex " + std::to_string(h) +
             " isn't proven valid, so a quadratic one can't be either. Hex Validation shows what is "
             "wrong with the mesh.");
       }
@@ -174,8 +175,7 @@ private:
       const Index patch = known ? features->PatchOfQuad[q] : -1;
       for (int k = 0; k < 4; ++k)
       {
-        AddedNode& node =
-          this->Added[this->NodeOf.at(EdgeKey(quad[k], quad[(k + 1) % 4]))];
+        AddedNode& node = this->Added[this->NodeOf.at(EdgeKey(quad[k], quad[(k + 1) % 4]))];
         node.Id = node.Kind == FeatureKind::Interior || node.Id == patch ? patch : -1;
         node.Kind = FeatureKind::Surface;
       }
@@ -222,8 +222,8 @@ private:
   }
 
   /// The point a node shall be at, for the middle it has.
-  Vec3 Target(const AddedNode& node, const TriangleSearch& search,
-    const std::vector<Polyline>& curves) const
+  Vec3 Target(
+    const AddedNode& node, const TriangleSearch& search, const std::vector<Polyline>& curves) const
   {
     if (node.Kind == FeatureKind::Curve)
     {
@@ -234,7 +234,7 @@ private:
     // Beside a sharp edge the closest triangle can belong to the patch beyond it.
     const SurfaceFeatures* graph = this->Targets.SurfaceGraph;
     const bool other = graph && node.Id >= 0 && closest.Triangle >= 0 &&
-      graph->PatchOfTriangle[closest.Triangle] != node.Id;
+                       graph->PatchOfTriangle[closest.Triangle] != node.Id;
     return closest.Triangle < 0 || other ? node.Middle : closest.Point;
   }
 
@@ -321,8 +321,9 @@ private:
     }
   }
 
-  /// Until every curved hex is proven and as good as wanted: those that aren't take their nodes back by half. Ends,
-  /// because each round halves something, and nothing more than MaximumHalvings times.
+  /// Until every curved hex is proven and as good as wanted: those that aren't take their nodes
+  /// back by half. Ends, because each round halves something, and nothing more than MaximumHalvings
+  /// times.
   bool KeepValid(Monitor& monitor)
   {
     const std::size_t count = this->Mesh.Hexes.size();
@@ -335,8 +336,8 @@ private:
         curved[h] = 0;
         this->VisitNodes(h, [&](const AddedNode& node) { curved[h] |= Moves(node); });
       }
-      const bool going = ParallelFor(count, 64, &monitor, [&](std::size_t h)
-        { ratios[h] = curved[h] ? QuadraticHexRatio(this->Grid(h)) : 1.0; });
+      const bool going = ParallelFor(count, 64, &monitor,
+        [&](std::size_t h) { ratios[h] = curved[h] ? QuadraticHexRatio(this->Grid(h)) : 1.0; });
       if (!going || !monitor.Update(1.0 - std::ldexp(0.5, -round)))
       {
         return false;
@@ -425,8 +426,8 @@ private:
   std::vector<AddedNode> Added;
   std::vector<double> Lengths; ///< of the edge or quad of each added node
   std::vector<char> TooFar;
-  std::vector<double> Wanted; ///< ratio of each hex
-  std::map<Index, Quad> Quads; ///< boundary quads of mid-face nodes
+  std::vector<double> Wanted;      ///< ratio of each hex
+  std::map<Index, Quad> Quads;     ///< boundary quads of mid-face nodes
   std::vector<Index> HexEdgeNodes; ///< 12 a hex, positions in Added
   std::vector<Index> HexFaceNodes; ///< 6 a hex; empty with 20 nodes
   double SmallestRatio = 1.0;

@@ -27,8 +27,7 @@ public:
     int Part;
     bool operator<(const Entry& other) const
     {
-      return this->Corners != other.Corners ? this->Corners < other.Corners
-                                            : this->Hex < other.Hex;
+      return this->Corners != other.Corners ? this->Corners < other.Corners : this->Hex < other.Hex;
     }
   };
 
@@ -54,8 +53,8 @@ public:
   /// Of several the one of the lowest hex; null: the mesh has no such part.
   const Entry* Find(const Key& sortedCorners) const
   {
-    const auto at = std::lower_bound(this->Entries.begin(), this->Entries.end(),
-      Entry{ sortedCorners, -1, 0 });
+    const auto at =
+      std::lower_bound(this->Entries.begin(), this->Entries.end(), Entry{ sortedCorners, -1, 0 });
     return at != this->Entries.end() && at->Corners == sortedCorners ? &*at : nullptr;
   }
 
@@ -145,9 +144,8 @@ Status CheckHexes(const SolverMesh& mesh)
     return Status(StatusCode::EmptySurface, "There are no hexahedra to write.");
   }
   const Index count = static_cast<Index>(mesh.Points.size());
-  const bool lengths =
-    mesh.HexNodes.size() % static_cast<std::size_t>(mesh.NodesPerHex) == 0 &&
-    mesh.Regions.size() == static_cast<std::size_t>(mesh.NumberOfHexes());
+  const bool lengths = mesh.HexNodes.size() % static_cast<std::size_t>(mesh.NodesPerHex) == 0 &&
+                       mesh.Regions.size() == static_cast<std::size_t>(mesh.NumberOfHexes());
   if (!lengths || std::any_of(mesh.HexNodes.begin(), mesh.HexNodes.end(),
                     [count](Index v) { return v < 0 || v >= count; }))
   {
@@ -293,7 +291,8 @@ std::vector<Index> PointsOfSides(const SolverMesh& mesh, const std::vector<Index
 
 std::vector<Index> PointsOfSegments(const SolverMesh& mesh, const std::vector<Index>& segments)
 {
-  return PointsOf(mesh.Segments, segments, [&](const SolverMesh::Segment& segment)
+  return PointsOf(mesh.Segments, segments,
+    [&](const SolverMesh::Segment& segment)
     { return NodesOfSegment(mesh, segment.Hex, segment.Edge); });
 }
 } // namespace featurehex

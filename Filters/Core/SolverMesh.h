@@ -93,7 +93,7 @@ Status CheckSolverMesh(const SolverMesh& mesh);
 /// Groups by label, ascending; positions in the lists of @a mesh, ascending.
 struct SolverGroups
 {
-  std::map<std::int32_t, std::vector<Index>> Bodies; ///< hexes
+  std::map<std::int32_t, std::vector<Index>> Bodies;  ///< hexes
   std::map<std::int32_t, std::vector<Index>> Patches; ///< sides
   std::map<std::int32_t, std::vector<Index>> Curves;  ///< segments
   std::map<std::int32_t, std::vector<Index>> Corners; ///< corners

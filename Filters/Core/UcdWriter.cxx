@@ -41,8 +41,8 @@ public:
     }
     for (const SolverMesh::Side& side : this->Mesh.Sides)
     {
-      this->Cell(std::int64_t{ side.Patch } + 1, " quad",
-        NodesOfSide(this->Mesh, side.Hex, side.Face));
+      this->Cell(
+        std::int64_t{ side.Patch } + 1, " quad", NodesOfSide(this->Mesh, side.Hex, side.Face));
     }
     for (const SolverMesh::Segment& segment : this->Mesh.Segments)
     {
@@ -79,9 +79,9 @@ Status CheckLabels(const SolverMesh& mesh)
   {
     if (!labels->empty() && labels->begin()->first < 0)
     {
-      return Status(StatusCode::InvalidMesh,
-        "A body, patch or curve has the number " + std::to_string(labels->begin()->first) +
-          "; .ucd files can't have negative ones.");
+      return Status(StatusCode::InvalidMesh, "A body, patch or curve has the number " +
+                                               std::to_string(labels->begin()->first) +
+                                               "; .ucd files can't have negative ones.");
     }
   }
   return {};

@@ -28,10 +28,10 @@ constexpr int VTKNodes[27] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14,
 
 int NodesOfType(int type)
 {
-  return type == VTK_HEXAHEDRON             ? 8
-    : type == VTK_QUADRATIC_HEXAHEDRON      ? 20
-    : type == VTK_TRIQUADRATIC_HEXAHEDRON   ? 27
-                                            : 0;
+  return type == VTK_HEXAHEDRON                ? 8
+         : type == VTK_QUADRATIC_HEXAHEDRON    ? 20
+         : type == VTK_TRIQUADRATIC_HEXAHEDRON ? 27
+                                               : 0;
 }
 
 Status WrongCell(vtkUnstructuredGrid* grid, vtkIdType cell)
@@ -122,8 +122,8 @@ SolverLabels LabelsOf(const MeditMesh& medit, vtkUnstructuredGrid* grid)
   for (std::size_t i = 0; i < medit.Corners.size(); ++i)
   {
     const Index v = medit.Corners[i];
-    const bool known = kinds && ids &&
-      kinds->GetComponent(v, 0) == static_cast<double>(FeatureKind::Corner);
+    const bool known =
+      kinds && ids && kinds->GetComponent(v, 0) == static_cast<double>(FeatureKind::Corner);
     labels.Corners.push_back(
       { v, static_cast<std::int32_t>(known ? ids->GetComponent(v, 0) : static_cast<double>(i)) });
   }
@@ -136,12 +136,11 @@ Status SolverMeshFromGrid(vtkUnstructuredGrid* grid, SolverMesh& mesh)
 {
   mesh = {};
   if (std::max(grid->GetNumberOfPoints(), grid->GetNumberOfCells()) >
-    std::numeric_limits<Index>::max())
+      std::numeric_limits<Index>::max())
   {
     return Status(StatusCode::InvalidMesh, "The mesh has more than 2147483647 points or cells.");
   }
-  const int nodesPerHex =
-    grid->GetNumberOfCells() > 0 ? NodesOfType(grid->GetCellType(0)) : 8;
+  const int nodesPerHex = grid->GetNumberOfCells() > 0 ? NodesOfType(grid->GetCellType(0)) : 8;
   MeditMesh medit;
   if (nodesPerHex <= 8)
   {

@@ -3,10 +3,10 @@
  * @class vtkExodusMeshWriter
  * @brief Writes hexes as Exodus II, .exo or .e, with side sets and node sets.
  *
- * <b>Output:</b> an element block body_# (HEX8, HEX20 or HEX27) for each body, a side set patch_# with
- * id PatchId + 1 for each patch, a node set curve_# with id CurveId + 1 for each curve and a node set
- * corner_# for each corner (ids after the highest of a curve). netCDF classic, 64-bit offsets, double
- * precision; the same mesh gives the same bytes, which vtkExodusIIWriter doesn't.
+ * <b>Output:</b> an element block body_# (HEX8, HEX20 or HEX27) for each body, a side set patch_#
+ * with id PatchId + 1 for each patch, a node set curve_# with id CurveId + 1 for each curve and a
+ * node set corner_# for each corner (ids after the highest of a curve). netCDF classic, 64-bit
+ * offsets, double precision; the same mesh gives the same bytes, which vtkExodusIIWriter doesn't.
  *
  * Input, errors and cost: vtkSolverMeshWriter.
  *

@@ -116,8 +116,8 @@ featurehex::Status vtkQuadraticHexFilter::Compute(
   Status status = MeshFromGrid(input, MeshCheck::Conforming, mesh);
   if (status.Ok() && graph && !surfaceData)
   {
-    status = Status(StatusCode::InvalidOption,
-      "Features need the surface they belong to (input 1).");
+    status =
+      Status(StatusCode::InvalidOption, "Features need the surface they belong to (input 1).");
   }
   if (status.Ok() && surfaceData)
   {

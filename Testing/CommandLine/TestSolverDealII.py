@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """deal.II reads our .ucd files and solves Poisson's equation on them: second-order convergence.
 
-Three resolutions of a bracket with sharp features; the solution is known. Boundary ids are patch + 1.
+Three resolutions of a bracket with sharp features; boundary ids are patch + 1.
 Needs deal.II (Debian: libdeal.ii-dev, large) and CMake; the program is in Testing/Solvers.
 """
 import math

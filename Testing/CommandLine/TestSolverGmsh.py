@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gmsh opens our .msh files, finds the groups by name and the elements in them, and writes them again.
+"""Gmsh opens our .msh files, finds the groups by name with their elements, and writes them again.
 
 A process of its own, never linked. Needs gmsh (Debian: gmsh).
 """

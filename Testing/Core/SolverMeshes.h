@@ -96,7 +96,8 @@ std::string TextOf(const SolverMesh& mesh, const Write& write)
 {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   const std::string name = (std::filesystem::temp_directory_path() /
-    (std::string("featurehex-") + info->test_suite_name() + info->name())).string();
+                            (std::string("featurehex-") + info->test_suite_name() + info->name()))
+                             .string();
   const Status status = write(name, mesh);
   EXPECT_TRUE(status.Ok()) << status.Message;
   std::string text;
@@ -126,8 +127,8 @@ inline void ExpectMiddles(const std::vector<Vec3>& points, const SolverMesh& mes
     }
     for (int f = 0; f < 6 && mesh.NodesPerHex == 27; ++f)
     {
-      between({ HexFaces[f][0], HexFaces[f][1], HexFaces[f][2], HexFaces[f][3] }, mesh.Nodes(h),
-        20 + f);
+      between(
+        { HexFaces[f][0], HexFaces[f][1], HexFaces[f][2], HexFaces[f][3] }, mesh.Nodes(h), 20 + f);
     }
   }
 }

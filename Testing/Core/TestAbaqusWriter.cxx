@@ -155,8 +155,8 @@ TEST(AbaqusWriter, SurfacesAreTheFacesOfTheirPatch)
       }
     }
   }
-  EXPECT_EQ(faces, (std::map<std::string, std::size_t>{
-                     { "patch_0", 1 }, { "patch_1", 1 }, { "patch_4", 8 } }));
+  EXPECT_EQ(faces,
+    (std::map<std::string, std::size_t>{ { "patch_0", 1 }, { "patch_1", 1 }, { "patch_4", 8 } }));
 }
 
 TEST(AbaqusWriter, NumbersOfAnyKindFit)

@@ -36,7 +36,8 @@ public:
       std::size_t count = 1;
       for (int rank = this->Int(); rank > 0; --rank)
       {
-        count *= static_cast<std::size_t>(dimensions.at(static_cast<std::size_t>(this->Int())).second);
+        count *=
+          static_cast<std::size_t>(dimensions.at(static_cast<std::size_t>(this->Int())).second);
       }
       this->Attributes(name + ".");
       const int type = this->Int();
@@ -160,7 +161,8 @@ TEST(ExodusWriter, RoundTrip)
     EXPECT_EQ(file.Names("eb_names"), (std::vector<std::string>{ "body_1", "body_2" }));
     EXPECT_EQ(file.Ints("eb_prop1"), (std::vector<int>{ 1, 2 }));
     EXPECT_EQ(file.Texts.at("connect1.elem_type"), "HEX" + std::to_string(nodes));
-    EXPECT_EQ(file.Names("ss_names"), (std::vector<std::string>{ "patch_0", "patch_1", "patch_4" }));
+    EXPECT_EQ(
+      file.Names("ss_names"), (std::vector<std::string>{ "patch_0", "patch_1", "patch_4" }));
     EXPECT_EQ(file.Ints("ss_prop1"), (std::vector<int>{ 1, 2, 5 }));
     EXPECT_EQ(file.Names("ns_names"),
       (std::vector<std::string>{ "curve_0", "curve_2", "corner_0", "corner_5" }));
@@ -169,7 +171,8 @@ TEST(ExodusWriter, RoundTrip)
     std::vector<Vec3> points;
     for (int i = 0; i < file.Dimensions.at("num_nodes"); ++i)
     {
-      points.push_back({ file.Double("coordx", i), file.Double("coordy", i), file.Double("coordz", i) });
+      points.push_back(
+        { file.Double("coordx", i), file.Double("coordy", i), file.Double("coordz", i) });
     }
     EXPECT_EQ(points, mesh.Points);
 

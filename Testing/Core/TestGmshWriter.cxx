@@ -217,11 +217,11 @@ TEST(GmshWriter, RoundTrip)
       const MeshFile file(TextOf(mesh, [version](const std::string& path, const SolverMesh& m)
         { return WriteGmsh(path, m, version); }));
       EXPECT_EQ(file.Points, mesh.Points);
-      EXPECT_EQ(file.Names,
-        (std::map<std::pair<int, int>, std::string>{ { { 0, 1 }, "corner_0" },
-          { { 0, 6 }, "corner_5" }, { { 1, 1 }, "curve_0" }, { { 1, 3 }, "curve_2" },
-          { { 2, 1 }, "patch_0" }, { { 2, 2 }, "patch_1" }, { { 2, 5 }, "patch_4" },
-          { { 3, 1 }, "body_1" }, { { 3, 2 }, "body_2" } }));
+      EXPECT_EQ(
+        file.Names, (std::map<std::pair<int, int>, std::string>{ { { 0, 1 }, "corner_0" },
+                      { { 0, 6 }, "corner_5" }, { { 1, 1 }, "curve_0" }, { { 1, 3 }, "curve_2" },
+                      { { 2, 1 }, "patch_0" }, { { 2, 2 }, "patch_1" }, { { 2, 5 }, "patch_4" },
+                      { { 3, 1 }, "body_1" }, { { 3, 2 }, "body_2" } }));
       std::map<std::pair<int, int>, int> counts;
       const int hex = nodes == 8 ? 5 : nodes == 20 ? 17 : 12;
       const int quad = nodes == 8 ? 3 : nodes == 20 ? 16 : 10;
@@ -232,15 +232,15 @@ TEST(GmshWriter, RoundTrip)
         ExpectMiddles(file, element);
         for (Index v : element.Nodes)
         {
-          EXPECT_TRUE(element.Type != quad || element.Physical != 2 ||
-            file.Points[v].z() == 2.0 / 3.0);
+          EXPECT_TRUE(
+            element.Type != quad || element.Physical != 2 || file.Points[v].z() == 2.0 / 3.0);
           EXPECT_TRUE(element.Type != line || element.Physical != 1 || file.Points[v].z() == 0.0);
         }
       }
-      EXPECT_EQ(counts,
-        (std::map<std::pair<int, int>, int>{ { { 15, 1 }, 1 }, { { 15, 6 }, 1 }, { { line, 1 }, 4 },
-          { { line, 3 }, 4 }, { { quad, 1 }, 1 }, { { quad, 2 }, 1 }, { { quad, 5 }, 8 },
-          { { hex, 1 }, 1 }, { { hex, 2 }, 1 } }));
+      EXPECT_EQ(
+        counts, (std::map<std::pair<int, int>, int>{ { { 15, 1 }, 1 }, { { 15, 6 }, 1 },
+                  { { line, 1 }, 4 }, { { line, 3 }, 4 }, { { quad, 1 }, 1 }, { { quad, 2 }, 1 },
+                  { { quad, 5 }, 8 }, { { hex, 1 }, 1 }, { { hex, 2 }, 1 } }));
     }
   }
 }

@@ -25,9 +25,9 @@ HexMesh Grid(bool ball)
       for (int i = 0; i <= Size; ++i)
       {
         const Vec3 p = 2.0 / Size * Vec3(i, j, k) - Vec3::Ones();
-        mesh.Points.push_back(
-          ball ? Vec3(p.cwiseAbs().maxCoeff() / p.norm() * (0.35 + 0.65 * p.cwiseAbs().maxCoeff()) * p)
-               : p);
+        mesh.Points.push_back(ball ? Vec3(p.cwiseAbs().maxCoeff() / p.norm() *
+                                          (0.35 + 0.65 * p.cwiseAbs().maxCoeff()) * p)
+                                   : p);
       }
     }
   }

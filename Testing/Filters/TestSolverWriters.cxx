@@ -61,7 +61,8 @@ vtkSmartPointer<vtkUnstructuredGrid> Cube()
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, hex);
   for (int f = 0; f < 6; ++f)
   {
-    quads.insert(quads.end(), std::begin(featurehex::HexFaces[f]), std::end(featurehex::HexFaces[f]));
+    quads.insert(
+      quads.end(), std::begin(featurehex::HexFaces[f]), std::end(featurehex::HexFaces[f]));
     quads.push_back(f);
   }
   for (int e = 0; e < 12; ++e)
@@ -154,7 +155,8 @@ TEST_F(SolverWriters, TheHexMeshWriterTakesThemByExtension)
   const auto same = [this](auto* writer, const std::string& extension, vtkUnstructuredGrid* grid)
   {
     vtkNew<vtkHexMeshWriter> any;
-    EXPECT_EQ(this->Write(writer, grid, "a" + extension), this->Write(any.Get(), grid, "b" + extension))
+    EXPECT_EQ(
+      this->Write(writer, grid, "a" + extension), this->Write(any.Get(), grid, "b" + extension))
       << extension;
   };
   vtkNew<vtkAbaqusMeshWriter> abaqus;
@@ -196,7 +198,8 @@ TEST_F(SolverWriters, QuadraticHexesKeepTheirGroups)
       int sub = 0;
       grid->GetPoint(grid->GetCell(0)->GetPointId(static_cast<int>(i)), at);
       double closest[3];
-      EXPECT_EQ(grid->GetCell(0)->EvaluatePosition(at, closest, sub, parametric, distance, weights), 1);
+      EXPECT_EQ(
+        grid->GetCell(0)->EvaluatePosition(at, closest, sub, parametric, distance, weights), 1);
       EXPECT_NEAR(weights[i], 1.0, 1e-2) << i;
     }
     vtkNew<vtkGmshMeshWriter> gmsh;
@@ -219,7 +222,8 @@ TEST_F(SolverWriters, AMeshWithoutArraysIsOneBodyWithOnePatch)
 
 TEST_F(SolverWriters, SayWhatTheFormatCantHold)
 {
-  const auto fails = [this](vtkSolverMeshWriter* writer, vtkUnstructuredGrid* grid, const char* words)
+  const auto fails = [this](
+                       vtkSolverMeshWriter* writer, vtkUnstructuredGrid* grid, const char* words)
   {
     FilterChecks::Messages messages(writer);
     writer->SetInputData(grid);

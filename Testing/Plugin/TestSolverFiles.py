@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Save Data writes solver files from the mesher and from quadratic hexes; VTK's readers read them."""
+"""Save Data writes solver files, of quadratic hexes too; VTK's readers read them."""
 import os
 
 from paraview import simple

@@ -105,7 +105,8 @@ void AddOptions(const MeshArguments& arguments, Report& report)
     { "max-level", arguments.MaximumLevel }, { "max-cells", arguments.MaximumNumberOfCells },
     { "max-rounds", arguments.MaximumRounds },
     { "min-scaled-jacobian", arguments.MinimumScaledJacobian }, { "align", arguments.Align },
-    { "time-limit", arguments.TimeLimit }, { "nodes-per-hex", arguments.NodesPerHex }, { "threads", arguments.Threads } };
+    { "time-limit", arguments.TimeLimit }, { "nodes-per-hex", arguments.NodesPerHex },
+    { "threads", arguments.Threads } };
 }
 
 void SetOptions(const MeshArguments& arguments, vtkFeatureHexMesher* mesher)

@@ -94,8 +94,10 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
   command->add_option("surface", arguments.Input, "STL, OBJ, PLY, OFF, VTP or legacy VTK")
     ->type_name("IN")
     ->required();
-  command->add_option("-o,--output", arguments.Output, "By extension: .vtu, .vtk (legacy), .mesh (Medit), .inp (Abaqus, CalculiX), .msh, .msh2 (Gmsh "
-    "4.1, 2.2), .exo, .e (Exodus), .ucd (AVS UCD, deal.II)")
+  command
+    ->add_option("-o,--output", arguments.Output,
+      "By extension: .vtu, .vtk (legacy), .mesh (Medit), .inp (Abaqus, CalculiX), .msh, .msh2 "
+      "(Gmsh 4.1, 2.2), .exo, .e (Exodus), .ucd (AVS UCD, deal.II)")
     ->type_name("OUT")
     ->required();
 
