@@ -2,6 +2,7 @@
 #include "BlockOctree.h"
 
 #include "BlockTree.h"
+#include "GridFit.h"
 #include "TriangleBoxOverlap.h"
 
 #include <Eigen/Eigenvalues>
@@ -168,13 +169,21 @@ RootFrame MakeRootFrame(const SurfaceMesh& surface, const OctreeOptions& options
   }
   const double root = frame.BlockSize(0) * frame.Unit;
   const double margin = options.MarginCells * frame.Unit;
+  const GridFit fit(surface, frame.Axes);
+  Vec3 middle = box.Center();
   Vec3 size;
   for (int k = 0; k < 3; ++k)
   {
-    frame.Count[k] = std::max(1.0, std::ceil((box.Size()[k] + 2 * margin) / root));
+    // Planes of cell centres through the flat faces: at most half a cell from the middle.
+    const double centers = middle[k] + 0.5 * frame.Unit;
+    const double shift =
+      std::remainder(fit.CenterPlane(k, frame.Unit, centers) - centers, frame.Unit);
+    middle[k] += shift;
+    const double length = box.Size()[k] + 2 * (margin + std::abs(shift));
+    frame.Count[k] = std::max(1.0, std::ceil(length / root));
     size[k] = frame.Count[k] * root;
   }
-  frame.Origin = frame.Axes * (box.Center() - 0.5 * size);
+  frame.Origin = frame.Axes * (middle - 0.5 * size);
   return frame;
 }
 

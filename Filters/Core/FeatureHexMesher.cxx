@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureHexMesher.h"
 
+#include "AutomaticSizing.h"
 #include "BlockOctree.h"
 #include "EnforcedFeatures.h"
 #include "FeatureSizing.h"
@@ -30,13 +31,11 @@ namespace
 constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 /// Of the wanted minimum scaled Jacobian: below, cells get finer.
-constexpr double AcceptableShare = 0.8;
+constexpr double AcceptableShare = 0.92;
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
-/// As AcceptableShare, where creases bound the quality.
-constexpr double AcceptableFeatureShare = 0.5;
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 /// Of the wanted minimum: below, curves that bound no patch are given up.
 constexpr double LooseShare = 0.2;
@@ -245,7 +244,8 @@ Status Mesher::Prepare(const SurfaceMesh& input)
   this->Fitting = std::make_unique<ProvenFitting>(*this->Surface, fitting);
   this->EdgeLength = this->Options.TargetEdgeLength > 0
     ? this->Options.TargetEdgeLength
-    : this->Surface->Bounds().Size().maxCoeff() / this->Automatic().CellsPerSide;
+    : AutomaticEdgeLength(*this->Surface, this->Result.SurfaceGraph, this->AbsoluteTolerance(),
+        this->Progress);
   this->Result.TargetEdgeLength = this->EdgeLength;
 
   this->PrepareSizing();
@@ -358,6 +358,8 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
     octree.TargetEdgeLength = this->EdgeLength;
     octree.MaximumLevel = this->Options.MaximumLevel;
     octree.MaximumNumberOfCells = this->Options.MaximumNumberOfCells;
+    octree.CoarseLevels = AutomaticCoarseLevels(
+      *this->Surface, this->EdgeLength, !this->Result.SurfaceGraph.Curves.empty());
     octree.AlignToPrincipalAxes = this->Options.AlignToPrincipalAxes;
     status = BuildBlockOctree(
       this->Surface->Mesh(), this->Points, octree, this->Octree, nullptr, this->Progress);
@@ -645,7 +647,6 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
 Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   const double minimum = this->Result.Validation.Quality.Minimum;
-  const double share = this->Enforced.Geometry() ? AcceptableFeatureShare : AcceptableShare;
   if (this->Enforced.Geometry() && this->Round + 1 < this->LastRound && this->GiveUpSpoilers())
   {
     this->PrepareSizing(); // without them
@@ -653,7 +654,7 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       "Loose curves hold the quality down: not enforced any more";
     return Outcome::Refine;
   }
-  if (minimum >= share * this->Options.MinimumScaledJacobian ||
+  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian ||
     ++this->QualityRounds > MaximumQualityRounds)
   {
     return Outcome::Done;

@@ -2,7 +2,7 @@
 #include "HexLocalPadding.h"
 
 #include "DisjointSets.h"
-#include "QuadGraph.h"
+#include "FeatureSectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,18 +25,8 @@ public:
     , Geometry(geometry)
     , Options(options)
     , Graph(stars.Quads, stars.Hexes.size())
-    , CurveOfDart(this->Graph.NumberOfDarts(), -1)
+    , Sectors(this->Graph, features)
   {
-    for (std::size_t c = 0; c < features.CurvePaths.size(); ++c)
-    {
-      const std::vector<Index>& path = features.CurvePaths[c];
-      for (std::size_t i = 1; i < path.size(); ++i)
-      {
-        const Index dart = this->Graph.Find(path[i - 1], path[i]);
-        this->CurveOfDart[dart] = this->CurveOfDart[this->Graph.Opposite(dart)] =
-          static_cast<Index>(c);
-      }
-    }
   }
 
   /// Group of each boundary quad, 1 and up; 0: not padded.
@@ -61,40 +51,19 @@ private:
   void ChooseCrowded(std::vector<char>& chosen) const;
   bool CompleteSectors(std::vector<char>& chosen) const;
   void LeaveFreeEnds(std::vector<char>& chosen) const;
-  double SectorAngle(Index corner, Index outgoing, Index incoming) const;
 
   const HexStars& Stars;
   FeatureLabels Labels;
   const FeatureGeometry& Geometry;
   const LocalPaddingOptions& Options;
   QuadGraph Graph;
-  std::vector<Index> CurveOfDart; ///< -1: no feature edge
+  FeatureSectors Sectors;
 };
-
-/// Angle of the surface between the curve that leaves the corner along @a outgoing and,
-/// counter-clockwise, the one that arrives along @a incoming.
-double DegenerateQuads::SectorAngle(Index corner, Index outgoing, Index incoming) const
-{
-  const CornerFan& fan = this->Geometry.Fans()[corner];
-  const Index first = this->CurveOfDart[outgoing];
-  const Index second = this->CurveOfDart[incoming];
-  for (std::size_t i = 0; i < fan.Spokes.size(); ++i)
-  {
-    const CornerFan::Spoke& spoke = fan.Spokes[i];
-    const std::size_t next = (i + 1) % fan.Spokes.size();
-    if (spoke.Curve == first && fan.Spokes[next].Curve == second)
-    {
-      const double angle = fan.Spokes[next].Angle - spoke.Angle;
-      return angle > 0 ? angle : angle + fan.FullAngle;
-    }
-  }
-  return 0;
-}
 
 /// Both are consecutive sides of one quad.
 bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
 {
-  if (this->CurveOfDart[incoming] < 0 || this->CurveOfDart[outgoing] < 0 ||
+  if (this->Sectors.CurveOf(incoming) < 0 || this->Sectors.CurveOf(outgoing) < 0 ||
     this->OneHexAt(incoming) || this->OneHexAt(outgoing))
   {
     return false;
@@ -104,7 +73,7 @@ bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
   {
     return true;
   }
-  return this->SectorAngle(this->Labels.Id[v], outgoing, incoming) * Degrees >
+  return this->Sectors.AngleAt(this->Labels.Id[v], outgoing, this->Geometry) * Degrees >
     this->Options.WidestAngle;
 }
 
@@ -113,23 +82,15 @@ bool DegenerateQuads::Degenerate(Index incoming, Index outgoing) const
 template <typename Visitor>
 void DegenerateQuads::VisitSectors(const Visitor& visit) const
 {
-  std::vector<Index> quads;
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
-    if (this->CurveOfDart[d] < 0)
+    if (this->Sectors.CurveOf(d) >= 0)
     {
-      continue;
-    }
-    quads.clear();
-    Index next = d;
-    do
-    {
-      quads.push_back(next / 4);
-      next = this->Graph.Rotate(next);
-    } while (this->CurveOfDart[next] < 0);
-    if (next != d) // the free end of a curve has no sectors
-    {
-      visit(d, quads, this->Graph.Opposite(next));
+      // The free end of a curve has no sectors.
+      if (const std::vector<Index> quads = this->Sectors.QuadsOf(d); !quads.empty())
+      {
+        visit(d, quads);
+      }
     }
   }
 }
@@ -138,10 +99,10 @@ void DegenerateQuads::VisitSectors(const Visitor& visit) const
 /// vertex.
 void DegenerateQuads::ChooseCrowded(std::vector<char>& chosen) const
 {
-  this->VisitSectors([&](Index outgoing, const std::vector<Index>& quads, Index incoming) {
+  this->VisitSectors([&](Index outgoing, const std::vector<Index>& quads) {
     const Index v = this->Graph.Tail(outgoing);
     const double angle = this->Labels.Kind[v] == FeatureKind::Corner
-      ? this->SectorAngle(this->Labels.Id[v], outgoing, incoming) * Degrees
+      ? this->Sectors.AngleAt(this->Labels.Id[v], outgoing, this->Geometry) * Degrees
       : 180.0;
     if (quads.size() > 2 && angle > 0 && angle < this->Options.NarrowestAngle * quads.size())
     {
@@ -158,7 +119,7 @@ void DegenerateQuads::ChooseCrowded(std::vector<char>& chosen) const
 bool DegenerateQuads::CompleteSectors(std::vector<char>& chosen) const
 {
   bool changed = false;
-  this->VisitSectors([&](Index, const std::vector<Index>& quads, Index) {
+  this->VisitSectors([&](Index, const std::vector<Index>& quads) {
     const auto taken = std::count_if(
       quads.begin(), quads.end(), [&](Index q) { return chosen[q] != 0; });
     if (quads.size() > 2 && taken > 0 && taken < static_cast<std::ptrdiff_t>(quads.size()))
@@ -180,11 +141,11 @@ void DegenerateQuads::LeaveFreeEnds(std::vector<char>& chosen) const
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
     Index next = this->Graph.Rotate(d);
-    while (this->CurveOfDart[next] < 0 && next != d)
+    while (this->Sectors.CurveOf(next) < 0 && next != d)
     {
       next = this->Graph.Rotate(next);
     }
-    if (this->CurveOfDart[d] < 0 || next != d)
+    if (this->Sectors.CurveOf(d) < 0 || next != d)
     {
       continue;
     }
@@ -209,7 +170,7 @@ std::vector<char> DegenerateQuads::FacesUnderCurves(const HexMesh& mesh,
   };
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
-    if (this->CurveOfDart[d] < 0 || !padded(d) || !padded(this->Graph.Opposite(d)))
+    if (this->Sectors.CurveOf(d) < 0 || !padded(d) || !padded(this->Graph.Opposite(d)))
     {
       continue;
     }
@@ -270,7 +231,7 @@ std::vector<Index> DegenerateQuads::Groups(LocalPaddingReport& report) const
   for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
   {
     const Index other = this->Graph.Opposite(d) / 4;
-    if (this->CurveOfDart[d] < 0 && chosen[d / 4] && chosen[other])
+    if (this->Sectors.CurveOf(d) < 0 && chosen[d / 4] && chosen[other])
     {
       sets.Join(d / 4, other);
     }

@@ -3,7 +3,9 @@
 
 #include "HexAdjacency.h"
 #include "InterfaceRepair.h"
+#include "LayerNeed.h"
 #include "MeshTopology.h"
+#include "MortonCode.h"
 #include "PaddingGroups.h"
 
 #include <algorithm>
@@ -20,18 +22,6 @@ namespace featurehex
 namespace
 {
 constexpr int MortonBits = 21;
-
-/// Spread the lowest 21 bits so that two zeros follow each.
-std::uint64_t SpreadBits(std::uint64_t x)
-{
-  x &= 0x1fffff;
-  x = (x | (x << 32)) & 0x1f00000000ffffull;
-  x = (x | (x << 16)) & 0x1f0000ff0000ffull;
-  x = (x | (x << 8)) & 0x100f00f00f00f00full;
-  x = (x | (x << 4)) & 0x10c30c30c30c30c3ull;
-  x = (x | (x << 2)) & 0x1249249249249249ull;
-  return x;
-}
 
 /// Along an edge of four boundary quads the layer would share one face between four hexes.
 Status CheckInterface(const HexMesh& mesh, const std::vector<InterfaceQuad>& interface)
@@ -127,12 +117,15 @@ public:
   LayerBuilder(const HexMesh& mesh, const std::vector<int>& region,
     const std::vector<InterfaceQuad>& interface, double thickness, PaddedMesh& padded);
 
-  /// Features of the interface become those of the boundary. @a geometry: null puts all patches into one group.
+  /// Features of the interface become those of the boundary. @a geometry: null puts all patches into
+  /// one group.
   void UseFeatures(HexFeatures& features, const FeatureGeometry* geometry);
 
   int NumberOfGroups() const { return this->Groups; }
+  bool NeedsLayer(int group) const { return this->Needs.empty() || this->Needs[group]; }
 
-  /// A layer under all quads of the group. It comes to the surface in the quads of other groups beside them.
+  /// A layer under all quads of the group. It comes to the surface in the quads of other groups
+  /// beside them.
   void AddLayer(int group);
 
   /// Patches in the order of the boundary quads, points and hexes in their order.
@@ -173,6 +166,7 @@ private:
   HexFeatures* Features = nullptr;
   const FeatureGeometry* Geometry = nullptr;
   int Groups = 1;
+  std::vector<char> Needs; ///< a layer, each group; empty: all do
   std::vector<std::array<int, 2>> GroupsOfCurve; ///< on its two sides; empty path: none
 };
 
@@ -245,10 +239,20 @@ void LayerBuilder::UseFeatures(HexFeatures& features, const FeatureGeometry* geo
   }
   this->Features = &features;
   this->Geometry = geometry;
+  if (geometry)
+  {
+    std::vector<Quad> quads;
+    for (const Facet& facet : this->Facets)
+    {
+      quads.push_back(facet.Vertices);
+    }
+    this->Needs =
+      GroupsThatNeedLayers(this->Padded.Mesh, quads, features, *geometry, groupOfPatch);
+  }
 }
 
-/// On a crease the stairs of the interface say little: there a copy goes away from the patches of its layer
-/// themselves, so that it doesn't fold the strip that it makes beyond the crease.
+/// On a crease the stairs of the interface say little: there a copy goes away from the patches of
+/// its layer themselves, so that it doesn't fold the strip that it makes beyond the crease.
 void LayerBuilder::UsePatchNormals(int group, std::vector<Vec3>& normals) const
 {
   std::set<std::pair<Index, int>> patches; // (point, patch)
@@ -485,9 +489,8 @@ std::vector<Index> MortonRank(const std::vector<Vec3>& points)
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     const Vec3 local = (points[i] - box.Low) * scale;
-    codes[i] = SpreadBits(static_cast<std::uint64_t>(local[0])) |
-      SpreadBits(static_cast<std::uint64_t>(local[1])) << 1 |
-      SpreadBits(static_cast<std::uint64_t>(local[2])) << 2;
+    codes[i] = MortonCode(static_cast<std::uint64_t>(local[0]),
+      static_cast<std::uint64_t>(local[1]), static_cast<std::uint64_t>(local[2]));
   }
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -547,7 +550,10 @@ Status PadInterface(const HexMesh& mesh, const std::vector<int>& region,
   }
   for (int group = 0; group < builder.NumberOfGroups(); ++group)
   {
-    builder.AddLayer(group);
+    if (options.EveryGroup || builder.NeedsLayer(group))
+    {
+      builder.AddLayer(group);
+    }
   }
   builder.Finish();
   return Status();

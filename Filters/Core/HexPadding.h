@@ -16,6 +16,8 @@ struct PaddingOptions
   /// Of the layer, in local cell sizes. Positive: layers of no thickness tangle again. Thin layers
   /// invert fewer hexes (measured: 1 % of them at 0.1, 3 % at 0.3).
   double Thickness = 0.1;
+  /// Also under groups of patches that the mesh follows without a layer (LayerNeed.h).
+  bool EveryGroup = false;
 };
 
 /// The bodies with their layers. A boundary hex has one quad on the boundary, or one of each layer

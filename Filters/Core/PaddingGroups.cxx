@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaddingGroups.h"
 
+#include "CreaseAngles.h"
 #include "DisjointSets.h"
 
 #include <algorithm>
@@ -21,86 +22,25 @@ constexpr double LeastCornerJacobian = 0.2;     // of the one hex where three la
 /// Of one hex against two: it also has no quad with two edges on the curve.
 constexpr double LeastGain = -0.05;
 
-/// The curves of a surface with their dihedral angles. Slivers of CAD exports point anywhere: the
-/// normals on the two sides are those of all triangles of the patch round a curve point, weighted
-/// by area.
-class CreaseAngles
+/// Least scaled Jacobian along the curve with one hex, less that with two.
+double GainOfOneHex(const CreaseAngles& creases, Index curve)
 {
-public:
-  explicit CreaseAngles(const FeatureGeometry& geometry)
-    : Geometry(geometry)
-  {
-    const SurfaceMesh& mesh = geometry.Surface();
-    const SurfaceFeatures& features = geometry.Features();
-    for (const FeatureCurve& curve : features.Curves)
-    {
-      for (Index v : curve.Points)
-      {
-        this->Normals[{ v, curve.LeftPatch }] = Vec3::Zero();
-        this->Normals[{ v, curve.RightPatch }] = Vec3::Zero();
-      }
-    }
-    for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
-    {
-      const Triangle& triangle = mesh.Triangles[t];
-      const Vec3 area = (mesh.Points[triangle[1]] - mesh.Points[triangle[0]])
-                          .cross(mesh.Points[triangle[2]] - mesh.Points[triangle[0]]);
-      for (Index v : triangle)
-      {
-        if (const auto found = this->Normals.find({ v, features.PatchOfTriangle[t] });
-            found != this->Normals.end())
-        {
-          found->second += area;
-        }
-      }
-    }
-  }
-
-  /// Least scaled Jacobian along the curve with one hex, less that with two.
-  double GainOfOneHex(const FeatureCurve& curve) const;
-
-private:
-  /// Interior angle between the two sides of an edge of the curve.
-  double InteriorAngle(const FeatureCurve& curve, Index a, Index b) const
-  {
-    const auto normal = [&](int patch)
-    {
-      return Vec3(this->Normals.at({ a, patch }) + this->Normals.at({ b, patch }))
-        .stableNormalized();
-    };
-    const Vec3 left = normal(curve.LeftPatch);
-    const Vec3 right = normal(curve.RightPatch);
-    const std::vector<Vec3>& points = this->Geometry.Surface().Points;
-    const Vec3 edge = (points[b] - points[a]).stableNormalized();
-    return Pi - std::atan2(left.cross(right).dot(edge), left.dot(right));
-  }
-
-  const FeatureGeometry& Geometry;
-  std::map<std::pair<Index, int>, Vec3> Normals; ///< (point, patch)
-};
-
-double CreaseAngles::GainOfOneHex(const FeatureCurve& curve) const
-{
-  const std::vector<Vec3>& points = this->Geometry.Surface().Points;
-  std::vector<std::pair<double, double>> angles; // with length
+  const std::vector<CreaseAngles::Piece> pieces = creases.Pieces(curve);
   double length = 0;
-  for (std::size_t i = 1; i < curve.Points.size(); ++i)
+  for (const CreaseAngles::Piece& piece : pieces)
   {
-    const double piece = (points[curve.Points[i]] - points[curve.Points[i - 1]]).norm();
-    angles.push_back({ this->InteriorAngle(curve, curve.Points[i - 1], curve.Points[i]), piece });
-    length += piece;
+    length += piece.Length;
   }
-  std::sort(angles.begin(), angles.end());
   double one = 1;
   double two = 1;
   double arc = 0;
-  for (const auto& [angle, piece] : angles)
+  for (const CreaseAngles::Piece& piece : pieces)
   {
-    arc += piece;
-    if (arc > IgnoredShare * length && arc - piece < (1 - IgnoredShare) * length)
+    arc += piece.Length;
+    if (arc > IgnoredShare * length && arc - piece.Length < (1 - IgnoredShare) * length)
     {
-      one = std::min(one, std::sin(angle));
-      two = std::min(two, std::sin(angle / 2));
+      one = std::min(one, std::sin(piece.Angle));
+      two = std::min(two, std::sin(piece.Angle / 2));
     }
   }
   return one - two;
@@ -228,13 +168,13 @@ std::vector<int> Grouping::Run()
   {
     this->Sets.Join(patch, this->Geometry.PatchOf(patch));
   }
-  const CreaseAngles angles(this->Geometry);
-  for (const FeatureCurve& curve : features.Curves)
+  const CreaseAngles creases(this->Geometry);
+  for (std::size_t c = 0; c < features.Curves.size(); ++c)
   {
-    this->Gains.push_back(angles.GainOfOneHex(curve));
+    this->Gains.push_back(GainOfOneHex(creases, static_cast<Index>(c)));
     if (this->Gains.back() < LeastGain)
     {
-      this->Sets.Join(curve.LeftPatch, curve.RightPatch);
+      this->Sets.Join(features.Curves[c].LeftPatch, features.Curves[c].RightPatch);
     }
   }
   for (bool changed = true; changed;)

@@ -16,7 +16,7 @@ constexpr double SampleSpacing = 0.5; // tolerances, between samples of the inpu
 constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
-constexpr int RoundsAfterProof = 1; // of improvement: most was done before the proof
+constexpr int RoundsAfterProof = 3; // of improvement: most was done before the proof
 constexpr double ShareStep = 0.01; // tightening of the sampled limit after a failed proof
 constexpr double FittingShare = 0.4; // of the progress
 
@@ -24,6 +24,7 @@ constexpr double FittingShare = 0.4; // of the progress
 std::vector<Vec3> PlacesBeyond(
   SurfaceEnvelope& envelope, const HexStars& stars, double limit, Monitor& monitor)
 {
+  envelope.Measure(limit); // in parallel: few quads are left to look at again
   std::vector<EnvelopeContact> contacts;
   for (Index q = 0; q < static_cast<Index>(stars.Quads.size()); ++q)
   {

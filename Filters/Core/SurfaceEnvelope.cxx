@@ -154,7 +154,7 @@ EnvelopeContact SurfaceEnvelope::ClosestNear(Index sample, Index quad, double en
 }
 
 double SurfaceEnvelope::MeasureForward(
-  Index quad, double enough, std::vector<EnvelopeContact>* contacts)
+  Index quad, double enough, Purpose purpose, std::vector<EnvelopeContact>* contacts)
 {
   double largest = 0;
   const int count = static_cast<int>(this->GridWeights.size());
@@ -173,6 +173,10 @@ double SurfaceEnvelope::MeasureForward(
       hint = found.Triangle;
     }
     largest = std::max(largest, found.Distance);
+    if (purpose == Purpose::Decision && largest > enough)
+    {
+      return largest;
+    }
     if (contacts && found.Distance > enough)
     {
       contacts->push_back({ quad, this->GridWeights[i], p, found.Point, found.Distance });
@@ -181,8 +185,8 @@ double SurfaceEnvelope::MeasureForward(
   return largest;
 }
 
-double SurfaceEnvelope::MeasureReverse(Index quad, double enough, std::vector<Transfer>& transfers,
-  std::vector<EnvelopeContact>* contacts)
+double SurfaceEnvelope::MeasureReverse(Index quad, double enough, Purpose purpose,
+  std::vector<Transfer>& transfers, std::vector<EnvelopeContact>* contacts)
 {
   double largest = 0;
   for (Index s = this->FirstSample[quad]; s >= 0; s = this->NextSample[s])
@@ -193,6 +197,10 @@ double SurfaceEnvelope::MeasureReverse(Index quad, double enough, std::vector<Tr
       transfers.push_back({ s, quad, found.Quad, found.Distance });
     }
     largest = std::max(largest, found.Distance);
+    if (purpose == Purpose::Decision && largest > enough)
+    {
+      return largest;
+    }
     if (contacts && found.Distance > enough)
     {
       contacts->push_back(found);
@@ -236,11 +244,12 @@ void SurfaceEnvelope::Measure(double enough)
     const Index quad = static_cast<Index>(q);
     if (this->Forward[q] > enough)
     {
-      this->Forward[q] = this->MeasureForward(quad, enough, nullptr);
+      this->Forward[q] = this->MeasureForward(quad, enough, Purpose::Distance, nullptr);
     }
     if (this->Reverse[q] > enough)
     {
-      this->Reverse[q] = this->MeasureReverse(quad, enough, transfers[q], nullptr);
+      this->Reverse[q] =
+        this->MeasureReverse(quad, enough, Purpose::Distance, transfers[q], nullptr);
     }
   });
   for (const std::vector<Transfer>& list : transfers)
@@ -306,11 +315,11 @@ bool SurfaceEnvelope::AcceptMove(IdLists::Range quads, double shift, double limi
     std::array<double, 2> bound = { this->Forward[q] + shift, this->Reverse[q] + shift };
     if (bound[0] > limit)
     {
-      bound[0] = this->MeasureForward(q, limit, nullptr);
+      bound[0] = this->MeasureForward(q, limit, Purpose::Decision, nullptr);
     }
     if (bound[0] <= limit && bound[1] > limit)
     {
-      bound[1] = this->MeasureReverse(q, limit, transfers, nullptr);
+      bound[1] = this->MeasureReverse(q, limit, Purpose::Decision, transfers, nullptr);
     }
     if (bound[0] > limit || bound[1] > limit)
     {
@@ -332,12 +341,13 @@ void SurfaceEnvelope::Collect(
 {
   if (this->Forward[quad] > threshold)
   {
-    this->Forward[quad] = this->MeasureForward(quad, threshold, &contacts);
+    this->Forward[quad] = this->MeasureForward(quad, threshold, Purpose::Distance, &contacts);
   }
   if (this->Reverse[quad] > threshold)
   {
     std::vector<Transfer> transfers;
-    this->Reverse[quad] = this->MeasureReverse(quad, threshold, transfers, &contacts);
+    this->Reverse[quad] =
+      this->MeasureReverse(quad, threshold, Purpose::Distance, transfers, &contacts);
     this->Apply(transfers);
   }
 }

@@ -87,9 +87,17 @@ private:
   EnvelopeContact ClosestOnQuad(Index sample, Index quad) const;
   EnvelopeContact AtWitness(Index sample, Index quad) const;
   EnvelopeContact ClosestNear(Index sample, Index quad, double enough);
-  double MeasureForward(Index quad, double enough, std::vector<EnvelopeContact>* contacts);
-  double MeasureReverse(Index quad, double enough, std::vector<Transfer>& transfers,
-    std::vector<EnvelopeContact>* contacts);
+  /// What a measurement is for.
+  enum class Purpose
+  {
+    Distance, ///< the largest one
+    Decision  ///< whether any is beyond enough: the first one ends it
+  };
+
+  double MeasureForward(
+    Index quad, double enough, Purpose purpose, std::vector<EnvelopeContact>* contacts);
+  double MeasureReverse(Index quad, double enough, Purpose purpose,
+    std::vector<Transfer>& transfers, std::vector<EnvelopeContact>* contacts);
   void Apply(const std::vector<Transfer>& transfers);
   void LinkSamples(const std::vector<Index>& owners);
   Vec3 GridPoint(Index quad, int i) const;

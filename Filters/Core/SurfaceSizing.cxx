@@ -16,6 +16,7 @@ namespace
 /// that could not be meshed anyway.
 constexpr double MaximumSamples = 2e7;
 
+constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumShrinks = 12;
 constexpr int MaximumClimbs = 30;
 
@@ -255,6 +256,11 @@ int NeededLevel(
       ++level;
     }
   }
+  while (options.Sag > 0 && level < options.MaximumCurvatureLevel &&
+    QuadSag(search, sample, std::ldexp(options.TargetEdgeLength, -level)) > options.Sag)
+  {
+    ++level;
+  }
   return level;
 }
 }
@@ -345,6 +351,34 @@ double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample
   const EmptyBall ball = ShrinkBall(search, p, normal, sample.Triangle, options.MaximumRadius);
   Climber climber(search, p, options);
   return ball.Radius >= climber.Wanted() ? options.MaximumRadius : climber.Climb(ball);
+}
+
+double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double size)
+{
+  const Vec3 normal = search.Normal(sample.Triangle);
+  const Vec3 u = normal.unitOrthogonal();
+  const Vec3 v = normal.cross(u);
+  constexpr int count = 8; // corners and sides, on a circle
+  const double radius = size / std::sqrt(2.0);
+  std::array<double, count + 1> heights;
+  double alongU = 0;
+  double alongV = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2 * Pi * i / count;
+    const Vec3 p = sample.Position + radius * (std::cos(angle) * u + std::sin(angle) * v);
+    heights[i] = (search.Closest(p, sample.Triangle).Point - sample.Position).dot(normal);
+    alongU += 2 * heights[i] * std::cos(angle) / count;
+    alongV += 2 * heights[i] * std::sin(angle) / count;
+  }
+  heights[count] = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2 * Pi * i / count;
+    heights[i] -= alongU * std::cos(angle) + alongV * std::sin(angle);
+  }
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  return 0.5 * (*high - *low);
 }
 
 std::vector<RefinementPoint> ComputeSizing(const SurfaceMesh& surface,

@@ -59,22 +59,10 @@ struct ClearanceOptions
 double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample, SurfaceSide side,
   const ClearanceOptions& options);
 
-/// What is chosen where the user leaves the choice.
-struct AutomaticSizing
-{
-  double CellsPerSide;      ///< target edge length: longest side of the bounding box / this
-  double CellsPerThickness; ///< SizingOptions
-  int MaximumSizingLevel;   ///< SizingOptions
-};
-
-/// Without features the boundary follows the surface everywhere by fine cells (the paper's 26).
-/// With features flat patches need none, and the layers under both sides of a thin wall add hexes
-/// across it. Measured on the CAD corpus: half the hexes and half the time of the other choice,
-/// median of the least scaled Jacobian 0.54 instead of 0.49.
-constexpr AutomaticSizing AutomaticSizingFor(bool features)
-{
-  return features ? AutomaticSizing{ 18, 1.0, 3 } : AutomaticSizing{ 26, 2.0, 2 };
-}
+/// How far a flat quad with edges of @a size round the sample stays from the surface at its corners
+/// and at as many points between them, when it lies best: half the difference of their heights over
+/// a fitted plane. Model units.
+double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double size);
 
 struct SizingOptions
 {
@@ -84,6 +72,10 @@ struct SizingOptions
   double CellsPerThickness = 2.0; ///< at least this many cells across the solid
   double CellsPerGap = 1.0;       ///< and across gaps
   int MaximumSizingLevel = 2;     ///< at most this many halvings
+  /// Model units: flat quads of the size of the cells should follow the surface as closely as this;
+  /// 0: any curvature.
+  double Sag = 0.0;
+  int MaximumCurvatureLevel = 1; ///< at most this many halvings for it
   double SampleSpacing = 0.5;     ///< in target edge lengths
 };
 

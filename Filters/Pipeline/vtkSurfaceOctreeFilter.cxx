@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceOctreeFilter.h"
 
+#include "AutomaticSizing.h"
 #include "DataConversion.h"
+#include "FeatureConversion.h"
 #include "FeatureSizing.h"
 #include "StageCheck.h"
 #include "StageFeatures.h"
@@ -85,12 +87,28 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   }
 
   const SurfaceGeometry surface(std::move(checked));
-  vtkPolyData* graph = vtkPolyData::GetData(inputs[1]);
-  const AutomaticSizing automatic = AutomaticSizingFor(graph && graph->GetNumberOfLines() > 0);
+  const double slack = this->Tolerance * surface.Diagonal();
   OctreeOptions options;
-  options.TargetEdgeLength = this->TargetEdgeLength > 0
-                               ? this->TargetEdgeLength
-                               : surface.Bounds().Size().maxCoeff() / automatic.CellsPerSide;
+  options.TargetEdgeLength = this->TargetEdgeLength;
+  vtkPolyData* graph = vtkPolyData::GetData(inputs[1]);
+  if (options.TargetEdgeLength <= 0)
+  {
+    SurfaceFeatures toReproduce;
+    status = graph ? FeaturesFromPolyData(surface.Mesh(), graph, toReproduce) : Status();
+    options.TargetEdgeLength = AutomaticEdgeLength(surface, toReproduce, slack, monitor);
+  }
+  StageFeatures features;
+  if (status.Ok())
+  {
+    status = features.Read(surface.Mesh(), graph, options.TargetEdgeLength);
+  }
+  if (!status.Ok())
+  {
+    return status;
+  }
+  const AutomaticSizing automatic = AutomaticSizingFor(features.Any());
+  options.CoarseLevels =
+    AutomaticCoarseLevels(surface, options.TargetEdgeLength, features.Any());
   options.MaximumLevel = this->MaximumLevel;
   options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;
@@ -100,7 +118,7 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
     monitor.BeginPhase("measuring thickness and gaps", 0.2, 0.7);
     SizingOptions sizing;
     sizing.TargetEdgeLength = options.TargetEdgeLength;
-    sizing.Slack = this->Tolerance * surface.Diagonal();
+    sizing.Slack = slack;
     sizing.CellsPerThickness =
       this->CellsPerThickness > 0 ? this->CellsPerThickness : automatic.CellsPerThickness;
     sizing.CellsPerGap = this->CellsPerGap;
@@ -109,24 +127,14 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
       this->MaximumLevel);
     points = ComputeSizing(surface.Mesh(), surface.Search(), sizing, monitor);
   }
-  if (this->FeatureSizing)
+  if (this->FeatureSizing && features.Any())
   {
-    StageFeatures features;
-    status =
-      features.Read(surface.Mesh(), graph, options.TargetEdgeLength);
-    if (!status.Ok())
-    {
-      return status;
-    }
-    if (features.Any())
-    {
-      FeatureSizingOptions sizing;
-      sizing.TargetEdgeLength = options.TargetEdgeLength;
-      sizing.MaximumLevel = this->MaximumLevel;
-      const std::vector<RefinementPoint> near = ThinRefinementPoints(
-        ComputeFeatureSizing(features.Geometry(), sizing), options.TargetEdgeLength);
-      points.insert(points.end(), near.begin(), near.end());
-    }
+    FeatureSizingOptions sizing;
+    sizing.TargetEdgeLength = options.TargetEdgeLength;
+    sizing.MaximumLevel = this->MaximumLevel;
+    const std::vector<RefinementPoint> near = ThinRefinementPoints(
+      ComputeFeatureSizing(features.Geometry(), sizing), options.TargetEdgeLength);
+    points.insert(points.end(), near.begin(), near.end());
   }
   points.insert(points.end(), asked.begin(), asked.end());
 
