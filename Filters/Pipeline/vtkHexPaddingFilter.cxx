@@ -153,6 +153,7 @@ featurehex::Status vtkHexPaddingFilter::Compute(
   PaddedMesh padded;
   FeaturePadding features;
   features.Options.Thickness = this->Thickness;
+  features.Options.EveryGroup = this->PadEveryPatch;
   features.Local = this->LocalPadding;
   status = features.Run(inputs, mesh, region, padded, monitor);
   if (status.Ok())
@@ -205,5 +206,6 @@ void vtkHexPaddingFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LocalPadding: " << (this->LocalPadding ? "on" : "off") << "\n";
+  os << indent << "PadEveryPatch: " << (this->PadEveryPatch ? "on" : "off") << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
 }

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHexPaddingFilter
- * @brief Keeps the hexes of the bodies and puts one layer of hexes under their whole boundary.
+ * @brief Keeps the hexes of the bodies and puts one layer of hexes under their boundary.
  *
  * After it, every boundary hex has exactly one quad on the boundary (at a convex crease one of each
  * side), so that it can be fitted without flattening a corner. Interface vertices stay where they
  * are and become the boundary; their inner copies move into the body.
  *
  * With features of vtkHexFeatureMappingFilter each group of patches gets its own layer; layers
- * cross at convex creases, so that one hex instead of two has the angle of the crease. Where a quad
- * still has two consecutive edges on one curve, its corner would get a straight angle: local
- * padding surrounds such quads with a ring of hexes, and puts a second layer below them.
+ * cross at convex creases, so that one hex instead of two has the angle of the crease. A group gets
+ * no layer where the hexes meet as in a grid already: two along each edge inside its patches and
+ * three to five quads round each vertex there, and along its creases and at its corners as many
+ * hexes and quads as right angles fit best. Flat faces along the axes of the octree are like that,
+ * also between others that have layers; stairs are not. Where a quad still has two consecutive
+ * edges on one curve, its corner would get a straight angle: local padding surrounds such quads
+ * with a ring of hexes, and puts a second layer below them.
  *
  * <b>Input 0:</b> vtkUnstructuredGrid, hex mesh of vtkHexDomainFilter or
  * vtkHexFeatureMappingFilter. Cells: Region (0 outside, 1 and up: body), with a manifold interface.
@@ -80,6 +84,17 @@ public:
   vtkBooleanMacro(LocalPadding, bool);
   ///@}
 
+  ///@{
+  /**
+   * Layers also under the groups of patches that the hexes follow as a grid does. They make room
+   * for untangling and fitting, and more hexes that are flatter. Without features, or with
+   * LocalPadding off, there is one layer under the whole boundary anyway. Default: off.
+   */
+  vtkSetMacro(PadEveryPatch, bool);
+  vtkGetMacro(PadEveryPatch, bool);
+  vtkBooleanMacro(PadEveryPatch, bool);
+  ///@}
+
 protected:
   vtkHexPaddingFilter();
   ~vtkHexPaddingFilter() override;
@@ -95,6 +110,7 @@ private:
 
   double Thickness = 0.1;
   bool LocalPadding = true;
+  bool PadEveryPatch = false;
 };
 
 #endif

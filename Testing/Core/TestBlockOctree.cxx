@@ -334,6 +334,38 @@ TEST(BlockOctree, PrincipalAxes)
   EXPECT_TRUE(kept.Axes == Mat3::Identity());
 }
 
+TEST(BlockOctree, PlanesOfCellCentresGoThroughFlatFaces)
+{
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (bool turned : { false, true })
+  {
+    for (int coarseLevels : { 0, 3 })
+    {
+      const Vec3 half(1.2, 0.9, 0.3); // 24, 18 and 6 cells
+      SurfaceMesh bar = Bar(half, turned ? turn : Mat3(Mat3::Identity()));
+      for (Vec3& p : bar.Points)
+      {
+        p += Vec3(0.123, -4.567, 8.91);
+      }
+      OctreeOptions options = Target(0.1, coarseLevels);
+      options.AlignToPrincipalAxes = turned;
+      const BlockOctree octree = Build(bar, options);
+      for (const Vec3& p : bar.Points)
+      {
+        const Vec3 cells = octree.ToLocal(p); // whole numbers between cells, centres half-way
+        for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_NEAR(cells[k] - std::floor(cells[k]), 0.5, 0.02)
+            << "turned " << turned << ", coarse levels " << coarseLevels << ", axis " << k;
+          const double end = octree.RootBlocks[k] * 2.0 * (1 << octree.Depth);
+          EXPECT_GE(cells[k], options.MarginCells - 1e-9);
+          EXPECT_LE(cells[k], end - options.MarginCells + 1e-9);
+        }
+      }
+    }
+  }
+}
+
 TEST(BlockOctree, CellsRoundTrip)
 {
   const BlockOctree octree =

@@ -77,8 +77,10 @@ struct Body
     EXPECT_TRUE(mapping.Complete());
     this->Features = mapping.Features;
     PaddedMesh padded;
+    PaddingOptions padding;
+    padding.EveryGroup = true;
     ExpectOk(PadInterface(
-      lattice, domain.Region, PaddingOptions(), padded, &this->Features, this->Geometry.get()));
+      lattice, domain.Region, padding, padded, &this->Features, this->Geometry.get()));
     PadDegenerateQuads(padded, this->Features, *this->Geometry, LocalPaddingOptions());
     this->Mesh = padded.Mesh;
     this->Stars = HexStars(this->Mesh);

@@ -3,6 +3,7 @@
 
 #include "FeatureGraphFile.h"
 #include "SurfaceReader.h"
+#include "ValidationShapes.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,33 @@ TEST(FeatureHexMesher, TurnedCubeHasAllItsFeaturesForAnyNumberOfThreads)
   EXPECT_EQ(results[1].Mesh.Points, result.Mesh.Points);
   EXPECT_EQ(results[1].Mesh.Hexes, result.Mesh.Hexes);
   EXPECT_EQ(results[1].Features.CurvePaths, result.Features.CurvePaths);
+}
+
+TEST(FeatureHexMesher, CubeOnTheAxesIsAGrid)
+{
+  MeshingOptions options;
+  options.Features.Mode = FeatureMode::Angle;
+  for (const Vec3& low : { Vec3(0, 0, 0), Vec3(0.37, -12.1, 3.3) })
+  {
+    SurfaceMesh surface = CubeSurface();
+    for (Vec3& p : surface.Points)
+    {
+      p += low;
+    }
+    Monitor monitor;
+    MeshingResult result;
+    const Status status = MeshSurface(surface, options, monitor, result);
+    ASSERT_TRUE(status.Ok()) << status.Message;
+    EXPECT_TRUE(result.Validation.Result.Ok()) << result.Validation.Result.Message;
+    EXPECT_LE(result.Mesh.Hexes.size(), 1000u);
+    EXPECT_GE(result.Validation.Quality.Minimum, 0.95);
+    const FeatureValidationReport& features = result.Validation.Features;
+    EXPECT_TRUE(features.AllCaptured()) << features.Complaint();
+    EXPECT_EQ(features.CornerTotals().Captured, 8);
+    EXPECT_EQ(features.CurveTotals().Captured, 12);
+    EXPECT_EQ(features.PatchTotals().Captured, 6);
+    EXPECT_EQ(result.Rounds.size(), 1u);
+  }
 }
 
 TEST(FeatureHexMesher, FeaturesThatNoMeshCanHaveAreGivenUp)

@@ -17,8 +17,9 @@ using Polylines = std::vector<std::vector<Vec3>>;
 
 enum class Layers
 {
-  One,     ///< for all patches
-  Crossing ///< one for each group
+  One,      ///< for all patches
+  Crossing, ///< one for each group
+  Needed    ///< one for each group that needs one
 };
 
 /// A box with features, mapped and padded all round, then where quads are degenerate.
@@ -39,9 +40,11 @@ struct Setting
     this->Groups = layers == Layers::One ? std::vector<int>(this->Shape.Graph.NumberOfPatches, 0)
                                          : GroupPatches(*this->Shape.Geometry);
     this->Before = this->Shape.Mapping.Features;
+    PaddingOptions options;
+    options.EveryGroup = layers != Layers::Needed;
     const Status status = PadInterface(this->Shape.Mesh,
-      std::vector<int>(this->Shape.Mesh.Hexes.size(), 1), PaddingOptions(), this->Global,
-      &this->Before, layers == Layers::One ? nullptr : this->Shape.Geometry.get());
+      std::vector<int>(this->Shape.Mesh.Hexes.size(), 1), options, this->Global, &this->Before,
+      layers == Layers::One ? nullptr : this->Shape.Geometry.get());
     EXPECT_TRUE(status.Ok()) << status.Message;
     this->Padded = this->Global;
     this->Features = this->Before;
@@ -487,6 +490,7 @@ TEST(HexLocalPadding, StaircasesOnSeveralFaces)
     const Setting setting({ n, n, n }, lines, Layers::Crossing, 60.0);
     ExpectSoundCrossing(setting);
     added += AddedVertices(setting);
+    ExpectSoundCrossing(Setting({ n, n, n }, lines, Layers::Needed, 60.0));
   }
   EXPECT_GT(added, 80u); // many rims cross creases
 }

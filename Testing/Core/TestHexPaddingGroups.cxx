@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FeatureShapes.h"
-#include "HexFeatureMapping.h"
 #include "HexPadding.h"
+
 #include "HexUntangling.h"
-#include "PaddingGroups.h"
+#include "LatticeBody.h"
 #include "QuadGraph.h"
 
 #include <algorithm>
-#include <functional>
-#include <memory>
 #include <numeric>
 #include <set>
 
@@ -16,146 +13,32 @@ using namespace featurehex;
 
 namespace
 {
-/// Cubes of a lattice, among others outside, with the edges of their surface as features.
-struct Body
-{
-  HexMesh Mesh;
-  std::vector<int> Region;
-  SurfaceMesh Surface;
-  SurfaceFeatures Graph;
-  std::unique_ptr<FeatureGeometry> Geometry;
-  HexFeatures Features; ///< of the interface
-  std::vector<int> Groups;
-
-  /// @a line: a further curve, along edges and diagonals of the quads.
-  Body(const std::array<int, 3>& n, const std::function<bool(int, int, int)>& inside,
-    const std::vector<Vec3>& line = {})
-  {
-    const HexMesh solid = LatticeMesh(n, inside);
-    const HexBoundary boundary = ExtractBoundary(solid);
-    this->Surface = SplitQuads(solid.Points, boundary.Quads);
-    FeatureGraphReport report;
-    const Status built = BuildSurfaceFeatures(this->Surface, Creases(solid, boundary.Quads, line),
-      {}, FeatureGraphOptions(), this->Graph, report);
-    EXPECT_TRUE(built.Ok()) << built.Message;
-
-    this->Mesh = LatticeMesh({ n[0] + 2, n[1] + 2, n[2] + 2 }, [&](int i, int j, int k) {
-      const bool solidHere = i > 0 && j > 0 && k > 0 && i <= n[0] && j <= n[1] && k <= n[2] &&
-        inside(i - 1, j - 1, k - 1);
-      this->Region.push_back(solidHere ? 3 : 0);
-      return true;
-    });
-    for (Vec3& p : this->Mesh.Points)
-    {
-      p -= Vec3::Ones();
-    }
-    this->Map();
-  }
-
-  void Map(const GivenUpFeatures& givenUp = GivenUpFeatures())
-  {
-    this->Geometry = std::make_unique<FeatureGeometry>(this->Surface, this->Graph, 1.0, givenUp);
-    this->Groups = GroupPatches(*this->Geometry);
-    const HexGraph graph(this->Mesh);
-    Monitor monitor;
-    FeatureMapping mapping;
-    const Status mapped =
-      MapFeaturesToInterface(this->Mesh, InterfaceQuads(this->Mesh, graph.Neighbors, this->Region),
-        *this->Geometry, FeatureMappingOptions(), monitor, mapping);
-    EXPECT_TRUE(mapped.Ok()) << mapped.Message;
-    EXPECT_TRUE(mapping.Complete());
-    this->Features = mapping.Features;
-  }
-
-  /// Layers come in the order of the patches.
-  void RenumberPatches(const std::vector<int>& ids)
-  {
-    for (int& patch : this->Graph.PatchOfTriangle)
-    {
-      patch = ids[patch];
-    }
-    for (FeatureCurve& curve : this->Graph.Curves)
-    {
-      curve.LeftPatch = ids[curve.LeftPatch];
-      curve.RightPatch = ids[curve.RightPatch];
-    }
-    this->Map();
-  }
-
-  static std::vector<PointPair> Creases(
-    const HexMesh& solid, const std::vector<Quad>& quads, const std::vector<Vec3>& line)
-  {
-    std::map<PointPair, Vec3> normals; // by directed edge
-    for (const Quad& q : quads)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        normals[{ q[k], q[(k + 1) & 3] }] = (solid.Points[q[1]] - solid.Points[q[0]])
-                                              .cross(solid.Points[q[3]] - solid.Points[q[0]]);
-      }
-    }
-    std::vector<PointPair> edges;
-    for (const auto& [edge, normal] : normals)
-    {
-      if (edge[0] < edge[1] && normal != normals.at({ edge[1], edge[0] }))
-      {
-        edges.push_back(edge);
-      }
-    }
-    const auto id = [&](const Vec3& p) {
-      return static_cast<Index>(
-        std::find(solid.Points.begin(), solid.Points.end(), p) - solid.Points.begin());
-    };
-    for (std::size_t i = 1; i < line.size(); ++i)
-    {
-      edges.push_back({ id(line[i - 1]), id(line[i]) });
-    }
-    return edges;
-  }
-
-  Index CurveThrough(const Vec3& p) const
-  {
-    for (std::size_t c = 0; c < this->Graph.Curves.size(); ++c)
-    {
-      for (Index v : this->Graph.Curves[c].Points)
-      {
-        if (this->Surface.Points[v] == p)
-        {
-          return static_cast<Index>(c);
-        }
-      }
-    }
-    ADD_FAILURE() << "no curve through " << p.transpose();
-    return 0;
-  }
-};
-
-Body BoxBody(const std::array<int, 3>& n, const std::vector<Vec3>& line = {})
-{
-  return Body(n, [](int, int, int) { return true; }, line);
-}
-
-/// 5 x 5 x 3 cubes without 3 x 2 x 3 at a corner: a concave edge at (2, 3, z).
-Body AngleBody()
-{
-  return Body({ 5, 5, 3 }, [](int i, int j, int) { return i < 2 || j < 3; });
-}
+using Body = LatticeBody;
 
 /// A body with layers, and what of it must hold for any body and any groups.
 struct Layers
 {
   const Body& Source;
   std::vector<int> Groups;
+  std::set<int> Layered; ///< groups that have a layer
   PaddedMesh Result;
   HexFeatures Features;
 
-  Layers(const Body& body, const FeatureGeometry* geometry)
+  /// @a layered: the groups that need a layer and get one; empty: all get one.
+  Layers(const Body& body, const FeatureGeometry* geometry, const std::set<int>& layered = {})
     : Source(body)
     , Groups(geometry ? GroupPatches(*geometry) : std::vector<int>(body.Graph.NumberOfPatches, 0))
+    , Layered(layered)
     , Features(body.Features)
   {
-    const Status status = PadInterface(
-      body.Mesh, body.Region, PaddingOptions(), this->Result, &this->Features, geometry);
+    PaddingOptions options;
+    if (layered.empty())
+    {
+      options.EveryGroup = true;
+      this->Layered.insert(this->Groups.begin(), this->Groups.end());
+    }
+    const Status status =
+      PadInterface(body.Mesh, body.Region, options, this->Result, &this->Features, geometry);
     EXPECT_TRUE(status.Ok()) << status.Message;
   }
   explicit Layers(const Body& body)
@@ -215,17 +98,23 @@ struct Layers
     }
   }
 
-  /// One for each quad of the interface, each of its edges where two groups meet, each vertex where
-  /// three do.
+  /// One for each quad of the interface in a group with a layer, each of its edges where two such
+  /// groups meet, each vertex where three do.
   std::size_t ExpectedLayerHexes() const
   {
     const std::vector<InterfaceQuad> quads =
       InterfaceQuads(this->Source.Mesh, HexGraph(this->Source.Mesh).Neighbors, this->Source.Region);
     std::map<PointPair, std::set<int>> ofEdge;
     std::map<Index, std::set<int>> ofPoint;
+    std::size_t count = 0;
     for (std::size_t q = 0; q < quads.size(); ++q)
     {
       const int group = this->Groups[this->Source.Features.PatchOfQuad[q]];
+      if (this->Layered.count(group) == 0)
+      {
+        continue;
+      }
+      ++count;
       for (int k = 0; k < 4; ++k)
       {
         const Index a = quads[q].Vertices[k], b = quads[q].Vertices[(k + 1) & 3];
@@ -233,7 +122,6 @@ struct Layers
         ofPoint[a].insert(group);
       }
     }
-    std::size_t count = quads.size();
     for (const auto& [edge, groups] : ofEdge)
     {
       count += groups.size() == 2;
@@ -246,7 +134,8 @@ struct Layers
     return count;
   }
 
-  /// Quads of a hex on the boundary belong to different groups, and only layer hexes have any.
+  /// Quads of a hex on the boundary belong to different groups; those of a layer's group are its
+  /// hexes' alone.
   void ExpectOwners() const
   {
     const HexStars stars(this->Result.Mesh);
@@ -256,7 +145,8 @@ struct Layers
     {
       const int patch = this->Features.PatchOfQuad[q];
       ASSERT_GE(patch, 0);
-      EXPECT_TRUE(this->Result.IsLayer[stars.QuadOwners[q]]);
+      EXPECT_TRUE(this->Result.IsLayer[stars.QuadOwners[q]] ||
+        this->Layered.count(this->Groups[patch]) == 0);
       EXPECT_TRUE(groupsOfHex[stars.QuadOwners[q]].insert(this->Groups[patch]).second);
     }
   }
@@ -595,14 +485,73 @@ TEST(HexPaddingGroups, CurveInsideAGroupThatCrossesTheLayerOfAnother)
   EXPECT_EQ(layers.HexesOfCorner({ 2, 0, 2 }), 2);
 }
 
+TEST(HexPaddingGroups, BoxOnItsGridGetsNoLayer)
+{
+  const Body box = BoxBody({ 4, 3, 2 });
+  PaddedMesh padded;
+  HexFeatures features = box.Features;
+  const Status status = PadInterface(
+    box.Mesh, box.Region, PaddingOptions(), padded, &features, box.Geometry.get());
+  ASSERT_TRUE(status.Ok()) << status.Message;
+  EXPECT_EQ(padded.Mesh.Hexes.size(), 4u * 3u * 2u);
+  EXPECT_EQ(padded.Mesh.Points.size(), 5u * 4u * 3u);
+  EXPECT_TRUE(padded.LayerHexes.empty());
+  const HexTopology topology = AnalyzeHexMesh(padded.Mesh);
+  EXPECT_TRUE(topology.Conforming());
+  const FeatureValidationReport report = ValidateFeatures(
+    padded.Mesh, topology.Boundary, box.Surface, { &box.Graph, &features }, 1e-9);
+  EXPECT_TRUE(report.AllCaptured()) << report.Complaint();
+}
+
+TEST(HexPaddingGroups, OneLayerAmongGroupsWithoutAny)
+{
+  const Body body = StairBody();
+  const int top = body.PatchAt({ 2, 2, 3 }, Vec3::UnitZ());
+  const Layers layers(body, body.Geometry.get(), { body.Groups[top] });
+  layers.ExpectMesh();
+  layers.ExpectOwners();
+  layers.ExpectFeatures();
+  EXPECT_EQ(layers.Result.LayerHexes.size(), 4u * 4u + 4u); // with the riser
+  for (Index h : layers.Result.LayerHexes)
+  {
+    EXPECT_EQ(body.Region[layers.Result.SourceHex[h]], 3);
+  }
+  // Upright curves get a vertex where the layer ends on both sides of them, others get none.
+  for (std::size_t c = 0; c < body.Graph.Curves.size(); ++c)
+  {
+    const FeatureCurve& curve = body.Graph.Curves[c];
+    const Vec3 along = body.Surface.Points[curve.Points[1]] - body.Surface.Points[curve.Points[0]];
+    EXPECT_EQ(layers.Features.CurvePaths[c].size(),
+      body.Features.CurvePaths[c].size() + (along.z() != 0 ? 1 : 0))
+      << "curve " << c;
+  }
+}
+
+TEST(HexPaddingGroups, LayersOfTwoGroupsCrossAmongOthersWithoutAny)
+{
+  // Stairs in the top and in the side at x = 4, which meet along an edge.
+  Body box = BoxBody({ 4, 4, 4 });
+  const Body body({ 4, 4, 4 },
+    [](int i, int j, int k) { return (j >= 2 || k < 3) && (j < 2 || i < 3); },
+    std::move(box.Surface), std::move(box.Graph));
+  const int top = body.PatchAt({ 2, 2, 4 }, Vec3::UnitZ());
+  const int side = body.PatchAt({ 4, 2, 2 }, Vec3::UnitX());
+  const Layers layers(body, body.Geometry.get(), { body.Groups[top], body.Groups[side] });
+  layers.ExpectMesh();
+  layers.ExpectOwners();
+  layers.ExpectFeatures();
+}
+
 TEST(HexPaddingGroups, LoopsKeepTheirVertices)
 {
   const FeatureShape cylinder = CylinderWithFeatures(4);
   const FeatureGeometry geometry(cylinder.Surface, cylinder.Graph, 0.1);
   HexFeatures features = cylinder.Features;
   PaddedMesh padded;
-  ASSERT_TRUE(PadInterface(cylinder.Mesh, std::vector<int>(64, 1), PaddingOptions(), padded,
-    &features, &geometry)
+  PaddingOptions options;
+  options.EveryGroup = true;
+  ASSERT_TRUE(PadInterface(
+    cylinder.Mesh, std::vector<int>(64, 1), options, padded, &features, &geometry)
                 .Ok());
   EXPECT_EQ(padded.Mesh.Hexes.size(), (16u + 16u) * (4u + 2u));
   EXPECT_TRUE(InvertedHexes(padded.Mesh).empty());

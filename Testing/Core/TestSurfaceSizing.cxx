@@ -6,6 +6,7 @@
 #include <vtkSMPTools.h>
 
 #include <chrono>
+#include <random>
 
 using namespace domainshapes;
 
@@ -109,6 +110,103 @@ TEST(SurfaceSizing, RoundShapesNeedNothing)
 {
   EXPECT_TRUE(Sizing(Sphere(Vec3::Zero(), 1.0), 2.0 / 26, 0.01).empty());
   EXPECT_TRUE(Sizing(Torus(1.0, 0.3), 2.6 / 26, 0.01).empty());
+}
+
+TEST(SurfaceSizing, SagOfAPlaneIsNone)
+{
+  const SurfaceMesh box = BoxSurface(Vec3::Zero(), Vec3(10, 10, 10));
+  const TriangleSearch search(box.Points, box.Triangles);
+  for (const Vec3& p : { Vec3(5, 4, 10), Vec3(0, 3, 7), Vec3(9.9, 9.8, 0) }) // also near edges
+  {
+    const TrianglePoint at = search.Closest(p);
+    EXPECT_NEAR(QuadSag(search, { at.Point, at.Triangle }, 1.0), 0, 1e-12);
+  }
+}
+
+TEST(SurfaceSizing, SagOfASphereAndACylinder)
+{
+  // Corners of a square of edge h are h / sqrt(2) from its centre, and the surface r^2 / (2 R)
+  // below the tangent plane at r; the best plane halves it: h^2 / (8 R).
+  const double radius = 3.0;
+  const SurfaceMesh sphere = Sphere(Vec3::Zero(), radius, 80);
+  const SurfaceMesh ring = Torus(1000, radius, 4000, 160);
+  const std::vector<std::pair<SurfaceMesh, Vec3>> places = { { sphere, Vec3(1, 2, 2) },
+    { sphere, Vec3(0.1, 0.2, 3) }, { ring, Vec3(1000 + radius, 0, 0) } };
+  for (const auto& [mesh, place] : places)
+  {
+    const TriangleSearch search(mesh.Points, mesh.Triangles);
+    const TrianglePoint at = search.Closest(place);
+    for (double size : { 0.5, 1.0 })
+    {
+      const double sag = size * size / (8 * radius);
+      EXPECT_NEAR(QuadSag(search, { at.Point, at.Triangle }, size), sag, 0.12 * sag) << size;
+    }
+  }
+}
+
+TEST(SurfaceSizing, SagIsNotTheTiltOfTheTriangle)
+{
+  // A plane of fine triangles, one of them raised at one end: its normal says little.
+  SurfaceMesh plane;
+  constexpr int n = 40;
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      plane.Points.emplace_back(i, j, 0);
+      if (i < n && j < n)
+      {
+        const Index a = i * (n + 1) + j;
+        plane.Triangles.push_back({ a, a + n + 1, a + n + 2 });
+        plane.Triangles.push_back({ a, a + n + 2, a + 1 });
+      }
+    }
+  }
+  const double bump = 0.3;
+  plane.Points[20 * (n + 1) + 20].z() = bump;
+  const TriangleSearch search(plane.Points, plane.Triangles);
+  const TrianglePoint at = search.Closest(Vec3(20.3, 20.1, 0.1));
+  ASSERT_LT(search.Normal(at.Triangle).z(), 0.99);
+  EXPECT_LT(QuadSag(search, { at.Point, at.Triangle }, 10.0), bump);
+}
+
+TEST(SurfaceSizing, NoiseSagsByItsHeight)
+{
+  SurfaceMesh sphere = Sphere(Vec3::Zero(), 1000, 40);
+  std::mt19937 random(3);
+  const double noise = 2.0;
+  for (Vec3& p : sphere.Points)
+  {
+    p += p.normalized() * noise * (2.0 * random() / 4294967295.0 - 1.0);
+  }
+  const TriangleSearch search(sphere.Points, sphere.Triangles);
+  for (const SurfaceSample& sample : SampleSurface(sphere, 300))
+  {
+    const double sag = QuadSag(search, sample, 150);
+    EXPECT_GT(sag, 0);
+    EXPECT_LT(sag, 2 * noise + 150.0 * 150 / 8000);
+  }
+}
+
+TEST(SurfaceSizing, SagDecidesTheLevel)
+{
+  const SurfaceMesh sphere = Sphere(Vec3::Zero(), 3.0, 40);
+  const TriangleSearch search(sphere.Points, sphere.Triangles);
+  const auto level = [&](double sag, int maximum) {
+    Monitor monitor;
+    SizingOptions options;
+    options.TargetEdgeLength = 1.0; // sag 1 / 24, after halving 1 / 96
+    options.Sag = sag;
+    options.MaximumCurvatureLevel = maximum;
+    return HighestLevel(ComputeSizing(sphere, search, options, monitor));
+  };
+  EXPECT_EQ(level(0.0, 1), 0);
+  EXPECT_EQ(level(0.06, 1), 0);
+  EXPECT_EQ(level(0.02, 1), 1);
+  EXPECT_EQ(level(0.02, 2), 1);
+  EXPECT_EQ(level(0.005, 1), 1);
+  EXPECT_EQ(level(0.005, 2), 2);
+  EXPECT_EQ(level(0.005, 0), 0);
 }
 
 TEST(SurfaceSizing, RightAnglesNeedNothing)

@@ -2,6 +2,12 @@
 #include "FilterChain.h"
 #include "HexPadding.h"
 
+#include "vtkCubeSource.h"
+#include "vtkTriangleFilter.h"
+
+#include <array>
+#include <sstream>
+
 using namespace FilterChecks;
 
 TEST(HexPaddingFilter, OneQuadOfEachLayerHexIsBoundary)
@@ -30,6 +36,42 @@ TEST(HexPaddingFilter, DefaultsAreThoseOfTheCore)
 {
   vtkNew<vtkHexPaddingFilter> filter;
   EXPECT_EQ(filter->GetThickness(), featurehex::PaddingOptions().Thickness);
+  EXPECT_EQ(filter->GetPadEveryPatch(), featurehex::PaddingOptions().EveryGroup);
+}
+
+TEST(HexPaddingFilter, PatchesLikeAGridGetALayerOnRequest)
+{
+  vtkNew<vtkCubeSource> source;
+  vtkNew<vtkTriangleFilter> cube;
+  cube->SetInputConnection(source->GetOutputPort());
+  cube->Update();
+  FeatureChain chain(cube->GetOutput(), 0.2);
+  chain.Padding->Update();
+  const auto layerHexes = [&] {
+    chain.Padding->Update();
+    vtkDataArray* layer =
+      vtkUnstructuredGrid::SafeDownCast(chain.Padding->GetOutput())->GetCellData()->GetArray(
+        "PaddingLayer");
+    std::array<int, 2> count = { 0, 0 }; // others, layer
+    for (vtkIdType c = 0; c < layer->GetNumberOfTuples(); ++c)
+    {
+      ++count[layer->GetComponent(c, 0) != 0];
+    }
+    return count;
+  };
+  const std::array<int, 2> without = layerHexes();
+  EXPECT_EQ(without, (std::array<int, 2>{ 125, 0 }));
+  chain.Padding->PadEveryPatchOn();
+  const std::array<int, 2> with = layerHexes();
+  EXPECT_EQ(with, (std::array<int, 2>{ 125, 7 * 7 * 7 - 125 }));
+  std::ostringstream text;
+  chain.Padding->Print(text);
+  EXPECT_NE(text.str().find("PadEveryPatch: on"), std::string::npos) << text.str();
+  chain.Padding->PadEveryPatchOff();
+  EXPECT_EQ(layerHexes(), without);
+  chain.Padding->SetInputConnection(2, nullptr);
+  chain.Padding->SetInputConnection(0, chain.Domain->GetOutputPort(0));
+  EXPECT_EQ(layerHexes(), (std::array<int, 2>{ 125, 150 }));
 }
 
 TEST(HexPaddingFilter, GoodCitizen)

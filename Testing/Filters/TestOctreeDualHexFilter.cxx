@@ -6,7 +6,7 @@ using namespace FilterChecks;
 TEST(OctreeDualHexFilter, ConformingWithItsArrays)
 {
   Chain chain(Sphere());
-  chain.Octree->SetTargetEdgeLength(0.06);
+  chain.Octree->SetTargetEdgeLength(0.025); // enough cells for coarser ones inside
   vtkNew<vtkHexValidationFilter> validation;
   validation->SetInputConnection(chain.Dual->GetOutputPort());
   validation->Update();
@@ -19,7 +19,7 @@ TEST(OctreeDualHexFilter, ConformingWithItsArrays)
   EXPECT_LT(mesh->GetCellData()->GetArray("Level")->GetRange()[0], 0.0);
   EXPECT_EQ(mesh->GetCellData()->GetArray("DualHexKind")->GetRange()[0], 0.0);
   EXPECT_EQ(mesh->GetCellData()->GetArray("DualHexKind")->GetRange()[1], 3.0);
-  EXPECT_EQ(Figure(mesh, "TargetEdgeLength"), 0.06);
+  EXPECT_EQ(Figure(mesh, "TargetEdgeLength"), 0.025);
 }
 
 TEST(OctreeDualHexFilter, OrderOfCellsDoesNotMatter)
