@@ -6,6 +6,7 @@ namespace featurehex
 FeatureSectors::FeatureSectors(const QuadGraph& graph, const HexFeatures& features)
   : Graph(graph)
   , CurveOfDart(graph.NumberOfDarts(), -1)
+  , AlongCurve(graph.NumberOfDarts(), false)
 {
   for (std::size_t c = 0; c < features.CurvePaths.size(); ++c)
   {
@@ -14,6 +15,7 @@ FeatureSectors::FeatureSectors(const QuadGraph& graph, const HexFeatures& featur
     {
       const Index dart = graph.Find(path[i - 1], path[i]);
       this->CurveOfDart[dart] = this->CurveOfDart[graph.Opposite(dart)] = static_cast<Index>(c);
+      this->AlongCurve[dart] = true;
     }
   }
 }
@@ -43,13 +45,12 @@ std::vector<Index> FeatureSectors::QuadsOf(Index dart) const
 double FeatureSectors::AngleAt(Index corner, Index dart, const FeatureGeometry& geometry) const
 {
   const CornerFan& fan = geometry.Fans()[corner];
-  const Index first = this->CurveOfDart[dart];
-  const Index second = this->CurveOfDart[this->LastOf(dart)];
+  const Index last = this->LastOf(dart);
   for (std::size_t i = 0; i < fan.Spokes.size(); ++i)
   {
     const CornerFan::Spoke& spoke = fan.Spokes[i];
     const CornerFan::Spoke& next = fan.Spokes[(i + 1) % fan.Spokes.size()];
-    if (spoke.Curve == first && next.Curve == second)
+    if (this->IsSpoke(spoke, dart) && this->IsSpoke(next, last))
     {
       const double angle = next.Angle - spoke.Angle;
       return angle > 0 ? angle : angle + fan.FullAngle;

@@ -34,8 +34,14 @@ public:
 private:
   Index LastOf(Index dart) const;
 
+  bool IsSpoke(const CornerFan::Spoke& spoke, Index dart) const
+  {
+    return spoke.Curve == this->CurveOfDart[dart] && spoke.AtEnd != this->AlongCurve[dart];
+  }
+
   const QuadGraph& Graph;
   std::vector<Index> CurveOfDart;
+  std::vector<bool> AlongCurve; ///< each dart: from the start of its curve to the end
 };
 } // namespace featurehex
 
