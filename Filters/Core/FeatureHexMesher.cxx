@@ -142,6 +142,7 @@ private:
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
   bool Halved = false;
+  std::string LastReason; ///< of a further round, with the first place
   int FeatureRounds = 0;
   int QualityRounds = 0;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
@@ -319,6 +320,8 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   points = ThinRefinementPoints(points, this->EdgeLength);
   MeshingRound& round = this->Result.Rounds.back();
   round.Reason = reason;
+  this->LastReason =
+    reason + (places.empty() ? "" : ", first at " + Place(places.front() + this->Offset));
   round.RefinementPoints = static_cast<Index>(points.size());
   const bool last = this->Round + 1 >= this->LastRound;
   if ((points.empty() || last) && this->Best.Mesh.Hexes.empty() && !this->Halved)
@@ -338,8 +341,7 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   {
     const int rounds = this->Round + 1;
     status = Status(code,
-      reason + (places.empty() ? "" : ", first at " + Place(places.front() + this->Offset)) +
-        ", after " + std::to_string(rounds) + (rounds == 1 ? " round" : " rounds") +
+      this->LastReason + ", after " + std::to_string(rounds) + (rounds == 1 ? " round" : " rounds") +
         " of refinement" + (points.empty() ? " with cells at MaximumLevel there" : "") +
         ". Lower TargetEdgeLength or raise MaximumLevel for finer cells, or raise Tolerance.",
       this->MovedBack(places));
@@ -753,6 +755,10 @@ Status Mesher::Run(const SurfaceMesh& input)
     {
       break;
     }
+  }
+  if (status.Code == StatusCode::TimeLimit && !this->LastReason.empty())
+  {
+    status.Message += " The round before was not the last because: " + this->LastReason + ".";
   }
   if (this->Best.Mesh.Hexes.empty() || status.Code == StatusCode::Aborted)
   {

@@ -112,8 +112,9 @@ public:
   ///@{
   /**
    * Edge length of the cells at the surface, model units; finer where thickness, gaps or the
-   * tolerance ask for it. 0: the longest side of the bounding box / 26, with
-   * sharp features / 18. Default: 0. Range: 0 and
+   * tolerance ask for it. 0: the longest side of the bounding box / 20, with
+   * sharp features / 18, fitted to flat faces, or more where nothing asks for as small cells.
+   * Default: 0. Range: 0 and
    * up.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, 1e100);

@@ -60,7 +60,8 @@ public:
   ///@{
   /**
    * Edge length of the cells at the surface, model units. 0: the longest side of the bounding box /
-   * 26, with a feature graph / 18. Default: 0. Range: 0 and up.
+   * 20, with a feature graph / 18, fitted to flat faces, or more where nothing asks for as small
+   * cells. Default: 0. Range: 0 and up.
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, 1e100);
   vtkGetMacro(TargetEdgeLength, double);

@@ -63,7 +63,7 @@ automatic = simple.FeatureHexMesher(Input=surface)
 assert automatic.TargetEdgeLength == 0
 hint = automatic.SMProxy.GetProperty("TargetEdgeLength")
 assert hint.ResetToDomainDefaults()
-assert abs(hint.GetElement(0) - 2 / 26) < 0.01, hint.GetElement(0)
+assert abs(hint.GetElement(0) - 2 / 20) < 0.01, hint.GetElement(0)
 
 # Files: what the writers write the readers read.
 folder = os.environ["FEATUREHEX_TEMPORARY_DIR"]
