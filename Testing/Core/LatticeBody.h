@@ -33,8 +33,7 @@ struct LatticeBody
 
   /// The surface is that of the cubes, its edges are the features. @a line: a further curve, along
   /// edges and diagonals of the quads.
-  LatticeBody(
-    const std::array<int, 3>& n, const Inside& inside, const std::vector<Vec3>& line = {})
+  LatticeBody(const std::array<int, 3>& n, const Inside& inside, const std::vector<Vec3>& line = {})
   {
     const HexMesh solid = LatticeMesh(n, inside);
     const HexBoundary boundary = ExtractBoundary(solid);
@@ -47,8 +46,8 @@ struct LatticeBody
   }
 
   /// The cubes follow another surface in stairs.
-  LatticeBody(const std::array<int, 3>& n, const Inside& inside, SurfaceMesh surface,
-    SurfaceFeatures graph)
+  LatticeBody(
+    const std::array<int, 3>& n, const Inside& inside, SurfaceMesh surface, SurfaceFeatures graph)
     : Surface(std::move(surface))
     , Graph(std::move(graph))
   {
@@ -126,12 +125,14 @@ private:
   /// Cubes inside and, one more on all sides, outside.
   void Fill(const std::array<int, 3>& n, const Inside& inside)
   {
-    this->Mesh = LatticeMesh({ n[0] + 2, n[1] + 2, n[2] + 2 }, [&](int i, int j, int k) {
-      const bool solidHere = i > 0 && j > 0 && k > 0 && i <= n[0] && j <= n[1] && k <= n[2] &&
-        inside(i - 1, j - 1, k - 1);
-      this->Region.push_back(solidHere ? 3 : 0);
-      return true;
-    });
+    this->Mesh = LatticeMesh({ n[0] + 2, n[1] + 2, n[2] + 2 },
+      [&](int i, int j, int k)
+      {
+        const bool solidHere = i > 0 && j > 0 && k > 0 && i <= n[0] && j <= n[1] && k <= n[2] &&
+                               inside(i - 1, j - 1, k - 1);
+        this->Region.push_back(solidHere ? 3 : 0);
+        return true;
+      });
     for (Vec3& p : this->Mesh.Points)
     {
       p -= Vec3::Ones();
@@ -147,8 +148,8 @@ private:
     {
       for (int k = 0; k < 4; ++k)
       {
-        normals[{ q[k], q[(k + 1) & 3] }] = (solid.Points[q[1]] - solid.Points[q[0]])
-                                              .cross(solid.Points[q[3]] - solid.Points[q[0]]);
+        normals[{ q[k], q[(k + 1) & 3] }] =
+          (solid.Points[q[1]] - solid.Points[q[0]]).cross(solid.Points[q[3]] - solid.Points[q[0]]);
       }
     }
     std::vector<PointPair> edges;
@@ -159,7 +160,8 @@ private:
         edges.push_back(edge);
       }
     }
-    const auto id = [&](const Vec3& p) {
+    const auto id = [&](const Vec3& p)
+    {
       return static_cast<Index>(
         std::find(solid.Points.begin(), solid.Points.end(), p) - solid.Points.begin());
     };
@@ -173,7 +175,8 @@ private:
 
 inline LatticeBody BoxBody(const std::array<int, 3>& n, const std::vector<Vec3>& line = {})
 {
-  return LatticeBody(n, [](int, int, int) { return true; }, line);
+  return LatticeBody(
+    n, [](int, int, int) { return true; }, line);
 }
 
 /// 5 x 5 x 3 cubes without 3 x 2 x 3 at a corner: a concave edge at (2, 3, z).
@@ -186,8 +189,9 @@ inline LatticeBody AngleBody()
 inline LatticeBody StairBody()
 {
   LatticeBody box = BoxBody({ 4, 4, 3 });
-  return LatticeBody({ 4, 4, 3 }, [](int i, int, int k) { return i >= 2 || k < 2; },
-    std::move(box.Surface), std::move(box.Graph));
+  return LatticeBody(
+    { 4, 4, 3 }, [](int i, int, int k) { return i >= 2 || k < 2; }, std::move(box.Surface),
+    std::move(box.Graph));
 }
 } // namespace featurehex
 

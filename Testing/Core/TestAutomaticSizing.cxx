@@ -38,20 +38,22 @@ double EdgeLengthWithFeatures(const SurfaceMesh& mesh, double tolerance = 0.005)
 /// 1 x 1 x height with a round hole.
 SurfaceMesh PlateWithHole(double height, double radius)
 {
-  return PeriodicGrid(64, 4, [=](double u, double v) {
-    const Vec3 round(std::cos(u), std::sin(u), 0);
-    const int corner = static_cast<int>(std::lround(v / (Pi / 2))); // of the cross-section
-    const Vec3 flat =
-      corner < 2 ? Vec3(0.5 * round / round.cwiseAbs().maxCoeff()) : Vec3(radius * round);
-    return Vec3(flat + (corner == 1 || corner == 2 ? height : 0) * Vec3::UnitZ());
-  });
+  return PeriodicGrid(64, 4,
+    [=](double u, double v)
+    {
+      const Vec3 round(std::cos(u), std::sin(u), 0);
+      const int corner = static_cast<int>(std::lround(v / (Pi / 2))); // of the cross-section
+      const Vec3 flat =
+        corner < 2 ? Vec3(0.5 * round / round.cwiseAbs().maxCoeff()) : Vec3(radius * round);
+      return Vec3(flat + (corner == 1 || corner == 2 ? height : 0) * Vec3::UnitZ());
+    });
 }
 
 double CellsOff(double length, double size)
 {
   return std::abs(std::remainder(length, size)) / size;
 }
-}
+} // namespace
 
 TEST(AutomaticSizing, CubeHasTenCellsASide)
 {
@@ -111,8 +113,7 @@ TEST(AutomaticSizing, StoppedItTakesTheUsualSize)
   };
   Stopper monitor;
   const SurfaceGeometry cube(BoxSurface(Vec3::Zero(), Vec3::Ones()));
-  const double size =
-    AutomaticEdgeLength(cube, FeaturesByAngle(cube.Mesh()), 0.01, monitor);
+  const double size = AutomaticEdgeLength(cube, FeaturesByAngle(cube.Mesh()), 0.01, monitor);
   EXPECT_GT(size, 0.0);
   EXPECT_LE(size, 0.1 + 1e-9);
 }

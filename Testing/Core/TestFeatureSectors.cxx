@@ -56,7 +56,7 @@ struct Setting
     for (Index d = 0; d < this->Graph.NumberOfDarts(); ++d)
     {
       if ((this->Mesh.Points[this->Graph.Tail(d)] - tail).norm() < 1e-9 &&
-        (this->Mesh.Points[this->Graph.Head(d)] - head).norm() < 1e-9)
+          (this->Mesh.Points[this->Graph.Head(d)] - head).norm() < 1e-9)
       {
         return d;
       }
@@ -82,11 +82,10 @@ struct Setting
   }
   double AngleAt(const Vec3& tail, const Vec3& head) const
   {
-    return this->Sectors.AngleAt(
-      this->CornerAt(tail), this->DartAt(tail, head), this->Geometry);
+    return this->Sectors.AngleAt(this->CornerAt(tail), this->DartAt(tail, head), this->Geometry);
   }
 };
-}
+} // namespace
 
 TEST(FeatureSectors, CurvesOfTheDarts)
 {
@@ -181,8 +180,8 @@ TEST(FeatureSectors, NoAngleBetweenCurvesThatDoNotFollowEachOther)
   shape.Map();
   const Setting cube(shape);
   const Index elsewhere = cube.CornerAt({ 3, 3, 3 });
-  EXPECT_EQ(cube.Sectors.AngleAt(elsewhere, cube.DartAt({ 0, 0, 0 }, { 1, 0, 0 }), cube.Geometry),
-    0.0);
+  EXPECT_EQ(
+    cube.Sectors.AngleAt(elsewhere, cube.DartAt({ 0, 0, 0 }, { 1, 0, 0 }), cube.Geometry), 0.0);
 }
 
 TEST(FeatureSectors, LoopWithOneCorner)
@@ -201,9 +200,9 @@ TEST(FeatureSectors, LoopWithOneCorner)
   {
     corners.push_back(corner.Point);
   }
-  ASSERT_TRUE(BuildSurfaceFeatures(
-    shape.Surface, FeatureEdges(shape.Graph), corners, options, graph, report)
-                .Ok());
+  ASSERT_TRUE(
+    BuildSurfaceFeatures(shape.Surface, FeatureEdges(shape.Graph), corners, options, graph, report)
+      .Ok());
   shape.Graph = graph;
   shape.Map();
   ASSERT_TRUE(shape.Mapping.Complete()) << shape.Reasons();

@@ -41,7 +41,7 @@ Mat3 Rotation(double degrees, const Vec3& axis)
 {
   return Eigen::AngleAxisd(degrees * Pi / 180, axis.normalized()).matrix();
 }
-}
+} // namespace
 
 TEST(GridFit, OnePlane)
 {

@@ -102,7 +102,7 @@ FeatureShape Star(int rhombs)
   shape.Finish(rims);
   return shape;
 }
-}
+} // namespace
 
 TEST(LayerNeed, BoxesOnTheirGridNeedNone)
 {
@@ -120,8 +120,7 @@ TEST(LayerNeed, ConcaveEdgeWithThreeHexesNeedsNone)
 
 TEST(LayerNeed, FlatCurveWithTwoHexesNeedsNone)
 {
-  EXPECT_EQ(
-    Needs(BoxBody({ 4, 3, 2 }, { { 2, 0, 2 }, { 2, 1, 2 }, { 2, 2, 2 }, { 2, 3, 2 } })),
+  EXPECT_EQ(Needs(BoxBody({ 4, 3, 2 }, { { 2, 0, 2 }, { 2, 1, 2 }, { 2, 2, 2 }, { 2, 3, 2 } })),
     std::set<int>());
 }
 
@@ -136,10 +135,11 @@ TEST(LayerNeed, OneStairNeedsALayerUnderItsFaceAlone)
 TEST(LayerNeed, StairAlongACurveIsOneOfBothSides)
 {
   // A curve across the top runs along the stair: one hex where it is convex, three where not.
-  LatticeBody box = BoxBody({ 4, 4, 3 },
-    { { 2, 0, 3 }, { 2, 1, 3 }, { 2, 2, 3 }, { 2, 3, 3 }, { 2, 4, 3 } });
-  const LatticeBody body({ 4, 4, 3 }, [](int i, int, int k) { return i >= 2 || k < 2; },
-    std::move(box.Surface), std::move(box.Graph));
+  LatticeBody box =
+    BoxBody({ 4, 4, 3 }, { { 2, 0, 3 }, { 2, 1, 3 }, { 2, 2, 3 }, { 2, 3, 3 }, { 2, 4, 3 } });
+  const LatticeBody body(
+    { 4, 4, 3 }, [](int i, int, int k) { return i >= 2 || k < 2; }, std::move(box.Surface),
+    std::move(box.Graph));
   ASSERT_EQ(body.Graph.NumberOfPatches, 7);
   const int left = body.PatchAt({ 0.5, 2, 3 }, Vec3::UnitZ());
   const int right = body.PatchAt({ 3.5, 2, 3 }, Vec3::UnitZ());
@@ -166,8 +166,8 @@ TEST(LayerNeed, StairsRoundACylinderLeaveItsCapsAlone)
   {
     p += Vec3(4, 4, 0);
   }
-  const LatticeBody body({ 8, 8, 8 },
-    [](int i, int j, int) { return std::hypot(i - 3.5, j - 3.5) < 4; },
+  const LatticeBody body(
+    { 8, 8, 8 }, [](int i, int j, int) { return std::hypot(i - 3.5, j - 3.5) < 4; },
     std::move(cylinder.Surface), std::move(cylinder.Graph));
   ASSERT_EQ(body.Graph.NumberOfPatches, 3);
   const int bottom = body.PatchAt({ 4, 4, 0 }, -Vec3::UnitZ());
@@ -178,9 +178,9 @@ TEST(LayerNeed, StairsRoundACylinderLeaveItsCapsAlone)
   // With it the rims have one hex, and the caps are regular: three to five quads round a vertex.
   PaddedMesh padded;
   HexFeatures features = body.Features;
-  ASSERT_TRUE(PadInterface(
-    body.Mesh, body.Region, PaddingOptions(), padded, &features, body.Geometry.get())
-                .Ok());
+  ASSERT_TRUE(
+    PadInterface(body.Mesh, body.Region, PaddingOptions(), padded, &features, body.Geometry.get())
+      .Ok());
   const HexStars stars(padded.Mesh);
   const QuadGraph graph(stars.Quads, padded.Mesh.Points.size());
   const FeatureLabels labels(features, stars);
@@ -233,9 +233,8 @@ TEST(LayerNeed, CornerWithTheWrongNumberOfQuads)
   // Layers under the sides make both; the caps need none.
   FeatureShape prism = CubeWithFeatures(3);
   const double angle = 40 * Pi / 180;
-  const auto shear = [angle](const Vec3& p) {
-    return Vec3(p.x() + std::cos(angle) * p.y(), std::sin(angle) * p.y(), p.z());
-  };
+  const auto shear = [angle](const Vec3& p)
+  { return Vec3(p.x() + std::cos(angle) * p.y(), std::sin(angle) * p.y(), p.z()); };
   for (Vec3& p : prism.Surface.Points)
   {
     p = shear(p);
@@ -256,8 +255,9 @@ TEST(LayerNeed, LayersBesideAFlatFaceMayLeaveAVertexWithFiveQuadsInIt)
   // A notch along the edge between top and one side: three quads round its inner edge on the faces
   // that it crosses.
   LatticeBody box = BoxBody({ 4, 4, 4 });
-  const LatticeBody body({ 4, 4, 4 }, [](int i, int, int k) { return i > 0 || k < 3; },
-    std::move(box.Surface), std::move(box.Graph));
+  const LatticeBody body(
+    { 4, 4, 4 }, [](int i, int, int k) { return i > 0 || k < 3; }, std::move(box.Surface),
+    std::move(box.Graph));
   const std::set<int> needs = Needs(body);
   for (double y : { 0.0, 4.0 })
   {
