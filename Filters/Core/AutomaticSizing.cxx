@@ -41,7 +41,7 @@ bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features,
 }
 
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,
-  double slack, Monitor& monitor)
+  const Mat3& axes, double slack, Monitor& monitor)
 {
   const double side = surface.Bounds().Size().maxCoeff();
   const double usual = side / AutomaticSizingFor(!features.Curves.empty()).CellsPerSide;
@@ -50,7 +50,7 @@ double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures
     return usual;
   }
   const FeatureGeometry geometry(surface.Mesh(), features, TrimCells * usual);
-  const GridFit fit(surface.Mesh(), Mat3::Identity());
+  const GridFit fit(surface.Mesh(), axes);
   for (double factor : LargerCells)
   {
     const double size = fit.BestSize(factor * usual);

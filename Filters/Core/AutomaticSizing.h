@@ -29,9 +29,9 @@ constexpr AutomaticSizing AutomaticSizingFor(bool features)
 /// Target edge length, model units: the longest side / CellsPerSide. With features it is fitted to the
 /// flat faces (GridFit.h), and larger where no thin part, no curvature and no feature asks for cells
 /// as small: a plain box needs ten a side. @a features: of the surface, without curves when there
-/// are none. @a slack: model units, usually the tolerance.
+/// are none. @a axes: of the grid (GridAxes()). @a slack: model units, usually the tolerance.
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,
-  double slack, Monitor& monitor);
+  const Mat3& axes, double slack, Monitor& monitor);
 
 /// OctreeOptions::CoarseLevels for cells of @a edgeLength: none where they would save nothing worth
 /// their irregular edges.

@@ -111,6 +111,10 @@ struct OctreePrediction
   std::int64_t Hexes = 0;
 };
 
+/// Columns: unit axes of the octree's grid, those of model space or, where that is asked for and gives
+/// a smaller box, the principal axes of the surface.
+Mat3 GridAxes(const SurfaceMesh& surface, bool alignToPrincipalAxes);
+
 /// Estimate the size without building anything: O(triangles + refinement points). A block of edge s
 /// that is one of a grid is met by a smooth surface (|n_x| + |n_y| + |n_z|) dA / s^2 times.
 /// Overlaps of refinement points are not known, so that their share is an upper bound.

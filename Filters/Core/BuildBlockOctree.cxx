@@ -156,17 +156,8 @@ RootFrame MakeRootFrame(const SurfaceMesh& surface, const OctreeOptions& options
   RootFrame frame;
   frame.Unit = options.TargetEdgeLength;
   frame.BaseLevel = options.CoarseLevels;
-  Box box = BoxAlong(surface, frame.Axes);
-  if (options.AlignToPrincipalAxes)
-  {
-    const Mat3 axes = PrincipalAxes(surface, box.Center());
-    const Box turned = BoxAlong(surface, axes);
-    if (turned.Size().prod() < 0.99 * box.Size().prod())
-    {
-      frame.Axes = axes;
-      box = turned;
-    }
-  }
+  frame.Axes = GridAxes(surface, options.AlignToPrincipalAxes);
+  const Box box = BoxAlong(surface, frame.Axes);
   const double root = frame.BlockSize(0) * frame.Unit;
   const double margin = options.MarginCells * frame.Unit;
   const GridFit fit(surface, frame.Axes);
@@ -407,6 +398,18 @@ bool SplitAtPoint(
   return true;
 }
 } // namespace
+
+Mat3 GridAxes(const SurfaceMesh& surface, bool alignToPrincipalAxes)
+{
+  const Mat3 unturned = Mat3::Identity();
+  if (!alignToPrincipalAxes)
+  {
+    return unturned;
+  }
+  const Box box = BoxAlong(surface, unturned);
+  const Mat3 axes = PrincipalAxes(surface, box.Center());
+  return BoxAlong(surface, axes).Size().prod() < 0.99 * box.Size().prod() ? axes : unturned;
+}
 
 OctreePrediction PredictOctree(const SurfaceMesh& surface,
   const std::vector<RefinementPoint>& points, const OctreeOptions& options)

@@ -245,8 +245,9 @@ Status Mesher::Prepare(const SurfaceMesh& input)
   this->Fitting = std::make_unique<ProvenFitting>(*this->Surface, fitting);
   this->EdgeLength = this->Options.TargetEdgeLength > 0
     ? this->Options.TargetEdgeLength
-    : AutomaticEdgeLength(*this->Surface, this->Result.SurfaceGraph, this->AbsoluteTolerance(),
-        this->Progress);
+    : AutomaticEdgeLength(*this->Surface, this->Result.SurfaceGraph,
+        GridAxes(this->Surface->Mesh(), this->Options.AlignToPrincipalAxes),
+        this->AbsoluteTolerance(), this->Progress);
   this->Result.TargetEdgeLength = this->EdgeLength;
 
   this->PrepareSizing();

@@ -117,6 +117,14 @@ void HexOptimizer::ActivateAround(Index vertex)
   }
 }
 
+void HexOptimizer::ActivateAround(const Hex& hex)
+{
+  for (Index v : hex)
+  {
+    this->ActivateAround(v);
+  }
+}
+
 bool HexOptimizer::CanMove(const Hex& hex, int corner) const
 {
   bool fixed = this->Fixed[hex[corner]];

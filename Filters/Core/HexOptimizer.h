@@ -84,6 +84,8 @@ public:
 
   void ActivateAll();
   void ActivateBoundary();
+  /// The vertices of the hex and of those that touch it.
+  void ActivateAround(const Hex& hex);
 
   /// Least determinant, relative to the cube of the hex size, of the corners that can move.
   double LeastDeterminant() const;

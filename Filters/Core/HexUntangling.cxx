@@ -27,6 +27,7 @@ std::vector<Index> InvertedHexes(const HexMesh& mesh)
 namespace
 {
 constexpr int MaximumUnfoldings = 3;
+constexpr int WideSweeps = 15; // over the whole mesh, with a wide regularisation
 
 /// Sweeps until no hex is inverted.
 class Untangler
@@ -48,8 +49,10 @@ public:
 private:
   void CountInverted()
   {
-    this->Report.InvertedAfter = static_cast<Index>(InvertedHexes(this->Mesh).size());
+    this->Inverted = InvertedHexes(this->Mesh);
+    this->Report.InvertedAfter = static_cast<Index>(this->Inverted.size());
   }
+  void Activate(int sweep);
   bool Untangled() const { return this->Report.InvertedAfter <= this->Report.Hopeless; }
   Status Settle(const SurfaceGeometry* surface);
   Status Sweep();
@@ -60,7 +63,22 @@ private:
   UntangleReport& Report;
   Monitor& Progress;
   HexOptimizer Optimizer;
+  std::vector<Index> Inverted;
 };
+
+/// Later sweeps visit what still moves and what surrounds inverted hexes: most of a large mesh is at
+/// rest while the last ones are freed.
+void Untangler::Activate(int sweep)
+{
+  if (sweep < WideSweeps)
+  {
+    this->Optimizer.ActivateAll();
+  }
+  for (Index h : this->Inverted)
+  {
+    this->Optimizer.ActivateAround(this->Mesh.Hexes[h]);
+  }
+}
 
 Status Untangler::Sweep()
 {
@@ -83,11 +101,11 @@ Status Untangler::Sweep()
     // sweeps.
     const double worst = std::min(this->Optimizer.LeastDeterminant(), 0.0);
     double delta = std::sqrt(1e-6 + 0.04 * worst * worst);
-    if (sweep < 15)
+    if (sweep < WideSweeps)
     {
       delta = std::max(delta, 0.05);
     }
-    this->Optimizer.ActivateAll();
+    this->Activate(sweep);
     this->Optimizer.Sweep(delta, &this->Progress);
     ++this->Report.Sweeps;
     this->CountInverted();

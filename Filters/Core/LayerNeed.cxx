@@ -187,6 +187,12 @@ std::vector<char> GroupsThatNeedLayers(const HexMesh& mesh, const std::vector<Qu
   const HexFeatures& features, const FeatureGeometry& geometry,
   const std::vector<int>& groupOfPatch)
 {
+  if (std::count(features.PatchOfQuad.begin(), features.PatchOfQuad.end(), -1) > 0)
+  {
+    // Nobody knows what those quads should look like.
+    const int groups = 1 + *std::max_element(groupOfPatch.begin(), groupOfPatch.end());
+    return std::vector<char>(groups, 1);
+  }
   const QuadGraph graph(quads, mesh.Points.size());
   return LayerNeed(mesh, graph, features, geometry, groupOfPatch).Run();
 }

@@ -95,7 +95,8 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   {
     SurfaceFeatures toReproduce;
     status = graph ? FeaturesFromPolyData(surface.Mesh(), graph, toReproduce) : Status();
-    options.TargetEdgeLength = AutomaticEdgeLength(surface, toReproduce, slack, monitor);
+    options.TargetEdgeLength = AutomaticEdgeLength(surface, toReproduce,
+      GridAxes(surface.Mesh(), this->AlignToPrincipalAxes), slack, monitor);
   }
   StageFeatures features;
   if (status.Ok())

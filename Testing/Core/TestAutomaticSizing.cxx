@@ -27,7 +27,8 @@ double EdgeLength(
 {
   Monitor monitor;
   const SurfaceGeometry surface{ SurfaceMesh(mesh) };
-  return AutomaticEdgeLength(surface, features, tolerance * surface.Diagonal(), monitor);
+  return AutomaticEdgeLength(
+    surface, features, Mat3::Identity(), tolerance * surface.Diagonal(), monitor);
 }
 
 double EdgeLengthWithFeatures(const SurfaceMesh& mesh, double tolerance = 0.005)
@@ -113,7 +114,8 @@ TEST(AutomaticSizing, StoppedItTakesTheUsualSize)
   };
   Stopper monitor;
   const SurfaceGeometry cube(BoxSurface(Vec3::Zero(), Vec3::Ones()));
-  const double size = AutomaticEdgeLength(cube, FeaturesByAngle(cube.Mesh()), 0.01, monitor);
+  const double size = AutomaticEdgeLength(
+    cube, FeaturesByAngle(cube.Mesh()), Mat3::Identity(), 0.01, monitor);
   EXPECT_GT(size, 0.0);
   EXPECT_LE(size, 0.1 + 1e-9);
 }
