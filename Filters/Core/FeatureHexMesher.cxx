@@ -32,6 +32,8 @@ constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 /// Of the wanted minimum scaled Jacobian: below, cells get finer.
 constexpr double AcceptableShare = 0.92;
+/// The same: below, however many cells that takes.
+constexpr double PoorShare = 0.8;
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
@@ -677,9 +679,11 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       places.push_back(this->Surface->Search().Closest(center).Point);
     }
   }
-  if (this->Enforced.Geometry() && places.size() > StructuralShare * this->Body.Mesh.Hexes.size())
+  const bool many = places.size() > StructuralShare * this->Body.Mesh.Hexes.size();
+  const bool poor = minimum < PoorShare * this->Options.MinimumScaledJacobian;
+  if (many && (this->Enforced.Geometry() || !poor))
   {
-    return Outcome::Done; // creases: finer cells would look the same
+    return Outcome::Done; // creases: finer cells would look the same; else not worth so many
   }
   const Outcome outcome = this->Refine(
     "The worst hexes are stuck at a low scaled Jacobian", StatusCode::Validation, places, status);

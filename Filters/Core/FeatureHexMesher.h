@@ -41,8 +41,8 @@ struct MeshingOptions
   /// Largest Hausdorff distance between boundary and surface, fraction of the diagonal of the
   /// bounding box.
   double Tolerance = 0.005;
-  /// Cell size at the surface, model units; 0: longest side of the bounding box / 26, with
-  /// sharp features / 18.
+  /// Cell size at the surface, model units; 0: automatic (AutomaticSizing.h): longest side
+  /// of the bounding box / 20, with sharp features / 18 or fewer.
   double TargetEdgeLength = 0.0;
   /// Refinement goes at most this many halvings below the target edge length.
   int MaximumLevel = 4;

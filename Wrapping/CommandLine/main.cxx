@@ -109,8 +109,8 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
   arguments.EdgeLength = mesher->GetTargetEdgeLength();
   AddNumber(command, "--edge-length", arguments.EdgeLength, mesher->GetTargetEdgeLengthMinValue(),
     mesher->GetTargetEdgeLengthMaxValue(), "L",
-    "Size of the hexes at the surface, model units; 0: longest side of the bounding box / 26, "
-    "with sharp features / 18");
+    "Size of the hexes at the surface, model units; 0: longest side of the bounding box / 20, "
+    "with sharp features / 18, or larger where nothing asks for as small ones");
   AddFeatures(command, arguments.Features, mesher->GetFeatureAngleMinValue(),
     mesher->GetFeatureAngleMaxValue());
   // Nothing to store.
