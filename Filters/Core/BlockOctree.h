@@ -86,6 +86,8 @@ struct OctreeOptions
   /// Turn the grid into the principal axes of the surface when its box is at least 1 % smaller
   /// there.
   bool AlignToPrincipalAxes = false;
+  /// Shift the grid by up to half a cell so that flat faces lie between layers of hexes (GridFit.h).
+  bool FitToFlatFaces = true;
   /// Target cells between the surface's box and the border of the root grid, at least 2.
   int MarginCells = 2;
   /// Cells of the root blocks are this many levels coarser than the target, 0 to 12.

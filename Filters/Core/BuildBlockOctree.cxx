@@ -167,8 +167,9 @@ RootFrame MakeRootFrame(const SurfaceMesh& surface, const OctreeOptions& options
   {
     // Planes of cell centres through the flat faces: at most half a cell from the middle.
     const double centers = middle[k] + 0.5 * frame.Unit;
-    const double shift =
-      std::remainder(fit.CenterPlane(k, frame.Unit, centers) - centers, frame.Unit);
+    const double shift = !options.FitToFlatFaces
+      ? 0.0
+      : std::remainder(fit.CenterPlane(k, frame.Unit, centers) - centers, frame.Unit);
     middle[k] += shift;
     const double length = box.Size()[k] + 2 * (margin + std::abs(shift));
     frame.Count[k] = std::max(1.0, std::ceil(length / root));

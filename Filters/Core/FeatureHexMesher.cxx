@@ -144,6 +144,7 @@ private:
   std::vector<RefinementPoint> Points;
   int LastRound = 0; ///< rounds before it gives up
   bool Halved = false;
+  bool FitGrid = true; ///< to flat faces
   std::string LastReason; ///< of a further round, with the first place
   int FeatureRounds = 0;
   int QualityRounds = 0;
@@ -327,7 +328,16 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
     reason + (places.empty() ? "" : ", first at " + Place(places.front() + this->Offset));
   round.RefinementPoints = static_cast<Index>(points.size());
   const bool last = this->Round + 1 >= this->LastRound;
-  if ((points.empty() || last) && this->Best.Mesh.Hexes.empty() && !this->Halved)
+  const bool stuck = (points.empty() || last) && this->Best.Mesh.Hexes.empty();
+  if (stuck && this->FitGrid && this->Enforced.Geometry())
+  {
+    // A thin wedge on a flat face has no room for hexes where that lies between their layers.
+    this->FitGrid = false;
+    this->LastRound += this->Options.MaximumRounds;
+    round.Reason += "; the grid is no longer fitted to flat faces";
+    return Outcome::Refine;
+  }
+  if (stuck && !this->Halved)
   {
     this->Halved = true;
     this->LastRound += this->Options.MaximumRounds;
@@ -365,6 +375,7 @@ Mesher::Outcome Mesher::BuildDomain(Status& status)
     octree.MaximumNumberOfCells = this->Options.MaximumNumberOfCells;
     octree.CoarseLevels = AutomaticCoarseLevels(
       *this->Surface, this->EdgeLength, !this->Result.SurfaceGraph.Curves.empty());
+    octree.FitToFlatFaces = this->FitGrid;
     octree.AlignToPrincipalAxes = this->Options.AlignToPrincipalAxes;
     status = BuildBlockOctree(
       this->Surface->Mesh(), this->Points, octree, this->Octree, nullptr, this->Progress);
