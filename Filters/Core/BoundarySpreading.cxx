@@ -96,9 +96,15 @@ Vec3 OnPatches(const HexStars& stars, const FeatureTargets& features, Index vert
 
 /// Sequential, in the order of the ids.
 void Spread(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features,
-  const std::vector<Index>& quads)
+  const std::vector<Index>& quads, const std::vector<char>* changed)
 {
-  const std::vector<Index> vertices = VerticesAround(stars, quads);
+  std::vector<Index> vertices = VerticesAround(stars, quads);
+  if (changed)
+  {
+    vertices.erase(std::remove_if(vertices.begin(), vertices.end(),
+                     [changed](Index v) { return !(*changed)[v]; }),
+      vertices.end());
+  }
   const std::vector<std::vector<Index>> neighbors = NeighborsOf(stars, features, vertices);
   for (int pass = 0; pass < Passes; ++pass)
   {
@@ -116,14 +122,15 @@ void Spread(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features
 }
 }
 
-void SpreadAtFeatures(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features)
+void SpreadAtFeatures(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features,
+  const std::vector<char>* changed)
 {
   std::vector<Index> quads;
   for (Index v : features.Vertices())
   {
     quads.insert(quads.end(), stars.QuadsOfVertex[v].begin(), stars.QuadsOfVertex[v].end());
   }
-  Spread(mesh, stars, features, quads);
+  Spread(mesh, stars, features, quads, changed);
 }
 
 bool IsFolded(
@@ -152,7 +159,7 @@ Index UnfoldBoundary(HexMesh& mesh, const HexStars& stars, const FeatureTargets&
       folded.push_back(q);
     }
   }
-  Spread(mesh, stars, features, folded);
+  Spread(mesh, stars, features, folded, nullptr);
   return static_cast<Index>(folded.size());
 }
 } // namespace featurehex

@@ -15,8 +15,9 @@ namespace featurehex
 /// passes. Hexes below are inverted afterwards; untangling cures that. A boundary that starts where
 /// it belongs needs no drawing past each other: measured on 16 turned cubes, the least scaled
 /// Jacobian before the improvement is 0.2-0.4 with it, 0.01-0.1 without, and no vertex is trapped
-/// beside its feature.
-void SpreadAtFeatures(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features);
+/// beside its feature. @a changed: 1 for those that may move; null: all.
+void SpreadAtFeatures(HexMesh& mesh, const HexStars& stars, const FeatureTargets& features,
+  const std::vector<char>* changed = nullptr);
 
 /// The normal of a boundary quad points against that of its patch at the closest point: a fold of
 /// the boundary. Its hexes may all be positive, but the boundary intersects itself.

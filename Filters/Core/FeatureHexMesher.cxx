@@ -3,6 +3,7 @@
 
 #include "AutomaticSizing.h"
 #include "BlockOctree.h"
+#include "CarriedPositions.h"
 #include "EnforcedFeatures.h"
 #include "FeatureSizing.h"
 #include "HexDomain.h"
@@ -115,6 +116,8 @@ private:
   Outcome MapFeatures(Status& status);
   std::set<FeatureName> FeaturesAt(const std::vector<Index>& hexes) const;
   bool GiveUpSpoilers();
+  FeatureLabels Labels() const;
+  Status Untangle(UntangleReport& report);
   Outcome BuildBody(Status& status);
   Outcome Fit(Status& status);
   Outcome Validate(Status& status);
@@ -148,6 +151,8 @@ private:
   std::string LastReason; ///< of a further round, with the first place
   int FeatureRounds = 0;
   int QualityRounds = 0;
+  CarriedPositions Carried;     ///< from the last round that was fitted
+  bool CarriedImproved = false; ///< it was improved, too
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
   // Of the current round.
@@ -160,6 +165,8 @@ private:
   HexFeatures Features;
   HexStars Stars;
   std::unique_ptr<FeatureTargets> Targets;
+  std::vector<Vec3> Unfitted;  ///< points of the body after padding
+  std::vector<char> Changed;   ///< per point of the body: not carried over; empty: all
 };
 
 void Mesher::BeginPhase(const std::string& name, double from, double to)
@@ -496,6 +503,44 @@ Mesher::Outcome Mesher::MapFeatures(Status& status)
     StatusCode::Features, places, status);
 }
 
+FeatureLabels Mesher::Labels() const
+{
+  FeatureLabels labels;
+  if (this->Enforced.Geometry())
+  {
+    return FeatureLabels(this->Features, this->Stars);
+  }
+  for (Index v = 0; v < static_cast<Index>(this->Body.Mesh.Points.size()); ++v)
+  {
+    labels.Kind.push_back(
+      this->Stars.OnBoundary(v) ? FeatureKind::Surface : FeatureKind::Interior);
+  }
+  labels.Id.assign(this->Body.Mesh.Points.size(), -1);
+  return labels;
+}
+
+/// From where the last round ended, where the mesh is the same; when that fails, from the start.
+Status Mesher::Untangle(UntangleReport& report)
+{
+  const auto untangle = [&] {
+    UntangleOptions options;
+    options.Features = this->Targets.get();
+    options.Changed = this->Changed.empty() ? nullptr : &this->Changed;
+    return UntangleHexes(
+      this->Body.Mesh, this->Stars, this->Surface.get(), options, report, this->Progress);
+  };
+  this->Unfitted = this->Body.Mesh.Points;
+  this->Changed = this->Carried.Apply(this->Body.Mesh, this->Stars, this->Labels());
+  Status status = untangle();
+  if (status.Ok() && report.InvertedAfter > 0 && !this->Changed.empty())
+  {
+    this->Body.Mesh.Points = this->Unfitted;
+    this->Changed.clear();
+    status = untangle();
+  }
+  return status;
+}
+
 Mesher::Outcome Mesher::BuildBody(Status& status)
 {
   {
@@ -529,10 +574,7 @@ Mesher::Outcome Mesher::BuildBody(Status& status)
   const StageClock clock(this->Result.Timings, "untangling");
   this->BeginPhase("untangling", 0.17, 0.22);
   UntangleReport report;
-  UntangleOptions untangling;
-  untangling.Features = this->Targets.get();
-  status = UntangleHexes(
-    this->Body.Mesh, this->Stars, this->Surface.get(), untangling, report, this->Progress);
+  status = this->Untangle(report);
   if (status.Ok() && report.InvertedAfter > 0)
   {
     const std::vector<Index> inverted = InvertedHexes(this->Body.Mesh);
@@ -562,9 +604,14 @@ Mesher::Outcome Mesher::Fit(Status& status)
   const StageClock clock(this->Result.Timings, "fitting");
   this->BeginPhase("fitting to the surface", 0.22, 0.9);
   ProvenFittingReport report;
+  const FormerFitting former = { this->Changed.empty() ? nullptr : &this->Changed,
+    this->CarriedImproved };
   status = this->Fitting->Run(
-    this->Body.Mesh, this->Stars, this->Targets.get(), report, this->Progress);
+    this->Body.Mesh, this->Stars, this->Targets.get(), former, report, this->Progress);
+  this->CarriedImproved = report.Improvement.Drawn;
   this->Result.Improvement = report.Improvement;
+  this->Carried.Remember(
+    this->Unfitted, this->Labels(), this->Body.Mesh.Points, this->EdgeLength);
   if (status.Ok())
   {
     // Certificates are the validation's: it asks for refinement where one is missing.

@@ -15,6 +15,7 @@ constexpr int SnapSweeps = 40;     // attempts to put feature vertices on their 
 constexpr double SnapGrowth = 1.5; // of the weight of features per attempt ...
 constexpr double SnapWeight = 1e6; // ... up to this
 constexpr double SnapNear = 0.02;  // local sizes: nearer vertices are put on their features ...
+constexpr double InPlace = 1e-9;   // local sizes: a fixed vertex is on its feature
 constexpr int SnapFarStart = 25;   // ... and, after so many attempts, all others
 constexpr int SnapTrials = 4;      // halvings of one such move
 constexpr int PatientSweeps = 6;   // without success
@@ -34,6 +35,7 @@ public:
     , Stars(stars)
     , Features(features)
     , Optimizer(optimizer)
+    , Fixed(optimizer.Fixed)
   {
   }
 
@@ -60,6 +62,7 @@ private:
   const HexStars& Stars;
   FeatureTargets& Features;
   HexOptimizer& Optimizer;
+  const std::vector<bool> Fixed; ///< in place before, on its feature or not
 };
 
 /// Moves feature vertices within @a reach (local sizes) of their features there, one at a time;
@@ -73,9 +76,17 @@ Index Snapper::SnapNearer(double reach)
     {
       continue;
     }
-    ++left;
     const Vec3 target = this->Features.Project(v, this->Mesh.Points[v]);
     const Vec3 displacement = target - this->Mesh.Points[v];
+    if (this->Fixed[v])
+    {
+      if (displacement.norm() < InPlace * this->Optimizer.SizeAt(v))
+      {
+        this->Features.Lock(v);
+      }
+      continue;
+    }
+    ++left;
     if (displacement.norm() > reach * this->Optimizer.SizeAt(v))
     {
       continue;
@@ -217,7 +228,7 @@ bool Snapper::Force(Index vertex, int rings, bool withNeighbors)
       this->Mesh.Points[region.Vertices[i]] = region.Before[i];
     }
   }
-  std::fill(this->Optimizer.Fixed.begin(), this->Optimizer.Fixed.end(), false);
+  this->Optimizer.Fixed = this->Fixed;
   return sound;
 }
 
@@ -229,7 +240,7 @@ void Snapper::ForceTrapped(Monitor& monitor)
     {
       for (bool withNeighbors : { true, false })
       {
-        if (!this->Features.Locked(v) && monitor.Update(1.0) &&
+        if (!this->Features.Locked(v) && !this->Fixed[v] && monitor.Update(1.0) &&
           this->Force(v, rings, withNeighbors))
         {
           this->Features.FollowCurves(this->Mesh.Points);

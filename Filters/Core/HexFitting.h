@@ -18,6 +18,8 @@ struct FittingOptions
   double InitialWeight = 5.0;     ///< of the surface terms against the distortion
   double WeightGrowth = 1.5;      ///< per iteration
   double MaximumWeight = 200.0;   ///< more only lowers the quality (recipe-pipeline 3)
+  /// 1 for vertices that move; null: all. The others are fitted (CarriedPositions.h).
+  const std::vector<char>* Changed = nullptr;
 };
 
 /// From a valid mesh to a valid mesh with its boundary on the surface. @a features may be null;

@@ -18,6 +18,7 @@ constexpr double LeastGain = 1e-3;
 constexpr int DrawSweeps = 40;
 constexpr double DrawWeight = 20.0;
 constexpr double DrawGrowth = 1.17; // to 1e4 in 40 sweeps
+constexpr double LastGap = 0.003; // of the barrier below the minimum
 constexpr int OtherSweeps = 12;
 constexpr double AcceptableShare = 0.8; // of the target: what may be given up for the surface
 constexpr int CertifySweeps = 20;
@@ -61,6 +62,7 @@ public:
         options.EnvelopeShare * options.Tolerance * surface.Diagonal(), options.Features)
     , Qualities(mesh.Hexes.size())
     , Chosen(mesh.Points.size())
+    , Start(mesh.Points)
   {
     this->UpdateQualities();
   }
@@ -223,7 +225,7 @@ public:
 
   void RaiseAverage(double floor)
   {
-    std::fill(this->Chosen.begin(), this->Chosen.end(), 1);
+    this->ChooseChanged();
     for (int sweep = 0; sweep < AverageSweeps && this->Progress.Update(this->Fraction); ++sweep)
     {
       this->Sweep([this, floor](Index v) {
@@ -256,9 +258,10 @@ public:
   /// are on it.
   Index Project(double floor)
   {
+    this->ChooseChanged();
     for (std::size_t v = 0; v < this->Chosen.size(); ++v)
     {
-      this->Chosen[v] = this->Stars.OnBoundary(static_cast<Index>(v));
+      this->Chosen[v] = this->Chosen[v] && this->Stars.OnBoundary(static_cast<Index>(v));
     }
     std::size_t arrived = 0;
     for (int sweep = 0; sweep < ProjectionSweeps && this->Progress.Update(this->Fraction); ++sweep)
@@ -299,6 +302,30 @@ private:
     });
   }
 
+  /// Vertices that are new or have moved, and those round them.
+  void ChooseChanged()
+  {
+    std::fill(this->Chosen.begin(), this->Chosen.end(), 1);
+    if (!this->Options.Changed)
+    {
+      return;
+    }
+    this->Chosen = *this->Options.Changed;
+    for (std::size_t v = 0; v < this->Chosen.size(); ++v)
+    {
+      if (this->Mesh.Points[v] != this->Start[v])
+      {
+        for (Index h : this->Stars.Hexes[static_cast<Index>(v)])
+        {
+          for (Index u : this->Mesh.Hexes[h])
+          {
+            this->Chosen[u] = 1;
+          }
+        }
+      }
+    }
+  }
+
   void ChooseBelow(double level)
   {
     std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
@@ -331,6 +358,7 @@ private:
   VertexImprover Vertices;
   std::vector<double> Qualities;
   std::vector<char> Chosen;
+  const std::vector<Vec3> Start;
   double Fraction = 0;
 };
 }
@@ -374,7 +402,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     {
       report.OffFeatures = improvement.SnapFeatures();
     }
-    const double gap = round == 0 ? 0.01 : round == 1 ? 0.005 : 0.003;
+    const double gap = round == 0 ? 0.01 : round == 1 ? 0.005 : LastGap;
     improvement.RaiseMinima(target, round == 0 ? 0.2 : 0.1);
     improvement.PushBarrier(target, gap);
     improvement.SolvePatches(target);
@@ -399,7 +427,13 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
   {
     return monitor.StopStatus();
   }
+  const double before = std::min(improvement.Minimum(), target);
   report.OffFeatures = improvement.SnapFeatures();
+  if (improvement.Minimum() < before)
+  {
+    improvement.RaiseMinima(target, 0.1);
+    improvement.PushBarrier(target, LastGap);
+  }
   report.Distance = improvement.Distance();
   report.MinimumAfter = improvement.Minimum();
   report.BelowTarget = improvement.CountBelow(target);

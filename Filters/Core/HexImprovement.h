@@ -27,6 +27,9 @@ struct ImprovementOptions
   /// Feature vertices that are locked slide on their features only; others are put there as soon as
   /// that keeps the mesh valid. May be null.
   FeatureTargets* Features = nullptr;
+  /// 1 for vertices whose mean quality is raised and which are put on the surface; null: all. For
+  /// the others that is done (CarriedPositions.h), unless they are moved by the rest.
+  const std::vector<char>* Changed = nullptr;
 };
 
 struct ImprovementReport

@@ -70,6 +70,12 @@ public:
   /// Vertices that must not move.
   std::vector<bool> Fixed;
 
+  bool AllFixed(const Quad& quad) const
+  {
+    return this->Fixed[quad[0]] && this->Fixed[quad[1]] && this->Fixed[quad[2]] &&
+      this->Fixed[quad[3]];
+  }
+
   /// Locked vertices stay on their features; may be null. The caller keeps it alive.
   const FeatureTargets* Features = nullptr;
 

@@ -128,7 +128,8 @@ Status Untangler::Run(const SurfaceGeometry* surface)
 {
   for (std::size_t v = 0; v < this->Mesh.Points.size(); ++v)
   {
-    this->Optimizer.Fixed[v] = !surface && this->Stars.OnBoundary(static_cast<Index>(v));
+    this->Optimizer.Fixed[v] = (!surface && this->Stars.OnBoundary(static_cast<Index>(v))) ||
+      (this->Options.Changed && !(*this->Options.Changed)[v]);
   }
   for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
   {
@@ -140,7 +141,7 @@ Status Untangler::Run(const SurfaceGeometry* surface)
   const std::vector<Vec3> start = this->Mesh.Points;
   if (features)
   {
-    SpreadAtFeatures(this->Mesh, this->Stars, *features);
+    SpreadAtFeatures(this->Mesh, this->Stars, *features, this->Options.Changed);
   }
   Status status = this->Settle(surface);
   if (features && status.Ok() && !this->Untangled())

@@ -27,6 +27,8 @@ struct UntangleOptions
   /// With a surface: where boundary vertices belong; may be null. Those at features are put there
   /// first (BoundarySpreading.h).
   const FeatureTargets* Features = nullptr;
+  /// 1 for vertices that may move; null: all. The others are in place (CarriedPositions.h).
+  const std::vector<char>* Changed = nullptr;
 };
 
 struct UntangleReport

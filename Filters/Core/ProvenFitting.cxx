@@ -17,6 +17,9 @@ constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
 constexpr int RoundsAfterProof = 3; // of improvement: most was done before the proof
+/// Of the tolerance: what is proven. The rest is for the rounding of coordinates in files, and for
+/// other programs whose bounds have a slack of one percent.
+constexpr double ProofShare = 0.985;
 constexpr double ShareStep = 0.01; // tightening of the sampled limit after a failed proof
 constexpr double FittingShare = 0.4; // of the progress
 
@@ -53,12 +56,13 @@ ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFitting
 }
 
 Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-  ProvenFittingReport& report, Monitor& monitor)
+  const FormerFitting& former, ProvenFittingReport& report, Monitor& monitor)
 {
   report = ProvenFittingReport();
   FittingOptions fitting;
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
+  fitting.Changed = former.Changed;
   {
     SubMonitor part(monitor, 0.0, FittingShare);
     SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
@@ -74,18 +78,20 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   {
     return monitor.StopStatus();
   }
-  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, report, monitor)
+  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, former, report, monitor)
                                : Status();
 }
 
 Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
-  FeatureTargets* features, ProvenFittingReport& report, Monitor& monitor)
+  FeatureTargets* features, const FormerFitting& former, ProvenFittingReport& report,
+  Monitor& monitor)
 {
   ImprovementOptions improvement;
   improvement.Tolerance = this->Options.Tolerance;
   improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
   improvement.MaximumRounds = this->Options.ImprovementRounds;
   improvement.Features = features;
+  improvement.Changed = former.Improved ? former.Changed : nullptr;
   const double width = (1 - FittingShare) / MaximumProofs;
   for (int proof = 0; proof < MaximumProofs; ++proof)
   {
@@ -109,8 +115,8 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
       }
     }
     SubMonitor part(monitor, start + 0.8 * width, start + width);
-    const DistanceDecision decision =
-      this->Distance.DistanceWithin(mesh.Points, stars.Quads, this->AbsoluteTolerance(), part);
+    const DistanceDecision decision = this->Distance.DistanceWithin(
+      mesh.Points, stars.Quads, ProofShare * this->AbsoluteTolerance(), part);
     if (monitor.Stopped())
     {
       return monitor.StopStatus();

@@ -66,6 +66,10 @@ void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight, double f
 {
   ParallelFor(this->Mesh.Points.size(), 512, [&](std::size_t v) {
     const Index vertex = static_cast<Index>(v);
+    if (optimizer.Fixed[v])
+    {
+      return;
+    }
     const double size = optimizer.SizeAt(vertex);
     if (this->Features && this->Features->OnFeature(vertex))
     {
@@ -79,6 +83,10 @@ void SurfaceTerms::UpdatePlanes(HexOptimizer& optimizer, double weight, double f
     }
   });
   ParallelFor(this->Stars.Quads.size(), 512, [&](std::size_t q) {
+    if (optimizer.AllFixed(this->Stars.Quads[q]))
+    {
+      return;
+    }
     const Vec3 center = this->Center(q);
     QuadTerm& term = optimizer.CentroidTerms[q];
     term.Term =
@@ -92,6 +100,10 @@ void SurfaceTerms::UpdateReverse(
   HexOptimizer& optimizer, const SurfaceEnvelope& envelope, double weight, double threshold) const
 {
   ParallelFor(this->Stars.Quads.size(), 64, [&](std::size_t q) {
+    if (optimizer.AllFixed(this->Stars.Quads[q]))
+    {
+      return;
+    }
     const EnvelopeContact worst = envelope.WorstReverse(static_cast<Index>(q), threshold);
     optimizer.ReverseTerms[q] =
       worst.Quad < 0 ? QuadTerm() : ReverseTerm(worst, this->QuadSize(optimizer, q), weight);

@@ -106,7 +106,8 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.FittingIterations = this->FittingIterations;
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
-  status = ProvenFitting(surface, options).Run(mesh, stars, features.Targets(), report, monitor);
+  status = ProvenFitting(surface, options).Run(
+    mesh, stars, features.Targets(), FormerFitting(), report, monitor);
   const std::vector<Vec3>& places = report.Places;
   if (status.Ok())
   {
