@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's graphical interface, driven by the events a user makes, on a display of its own.
+
+A fresh ParaView: a home folder without settings, the plugin found through PV_PLUGIN_PATH in an
+install tree. Steps are collected, then played one after another by ParaView's own test player:
+
+    window = Interface("TestMine")
+    window.open(path)
+    window.filter("FeatureHexMesher")
+    window.apply()
+    window.screenshot("meshed")
+    window.python("assert simple.GetActiveSource().GetDataInformation().GetNumberOfCells() > 9")
+    output = window.run()
+    image = window.image("meshed")
+
+Names of widgets: Tools > Record Test in ParaView writes the events of what one does.
+"""
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import zlib
+from xml.sax.saxutils import quoteattr
+
+import numpy
+
+WIDTH, HEIGHT = 1400, 900
+WINDOW = "pqClientMainWindow"
+CONSOLE = WINDOW + "/pythonShellDock/pythonShell/consoleWidget"
+PANEL = WINDOW + "/propertiesDock/propertiesPanel"
+# Seconds for one start of ParaView; the longest test takes a tenth.
+TIME_LIMIT = 120
+# Of the view, where nothing is drawn.
+BACKGROUND = (82, 87, 110)
+
+# Runs a step inside ParaView; the console would keep what goes wrong to itself.
+STEP = """
+def featurehex_step(path, failures):
+    import traceback
+    from paraview import servermanager, simple
+    try:
+        with open(path, encoding="utf-8") as file:
+            exec(compile(file.read(), path, "exec"), {"simple": simple, "servermanager": servermanager})
+    except BaseException:
+        with open(failures, "a", encoding="utf-8") as file:
+            traceback.print_exc(file=file)
+"""
+
+
+def missing():
+    """What these tests need and isn't there, or None."""
+    for program in ("xvfb-run", "paraview"):
+        if not shutil.which(program):
+            return f"there is no {program}."
+    return None
+
+
+def install(prefix):
+    """Installs the build tree; the folder for PV_PLUGIN_PATH."""
+    subprocess.run([os.environ["FEATUREHEX_CMAKE"], "--install",
+                    os.environ["FEATUREHEX_BINARY_DIR"], "--prefix", prefix],
+                   check=True, stdout=subprocess.DEVNULL)
+    return os.path.join(prefix, os.environ["FEATUREHEX_PLUGIN_SUBDIR"])
+
+
+def read_dump(path):
+    """Pixels (rows from above, RGB) of a dump of the X server, format XWD, 32 bits a pixel."""
+    with open(path, "rb") as file:
+        data = file.read()
+    header = struct.unpack(">25I", data[:100])
+    size, width, height, bits, stride = header[0], header[4], header[5], header[11], header[12]
+    assert bits == 32 and header[7] == 0, header
+    start = size + 12 * header[19]
+    rows = numpy.frombuffer(data, numpy.uint8, height * stride, start).reshape(height, stride)
+    return rows[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1].copy()
+
+
+def write_png(path, image):
+    """PNG of rows from above, RGB."""
+    def chunk(name, content):
+        body = name + content
+        return struct.pack(">I", len(content)) + body + struct.pack(">I", zlib.crc32(body))
+
+    height, width = image.shape[:2]
+    rows = b"".join(b"\0" + row.tobytes() for row in image.astype(numpy.uint8))
+    with open(path, "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n"
+                   + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+                   + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def view_of(image):
+    """The part of a screenshot that is the view, which must show some of its background."""
+    rows, columns = numpy.nonzero((image == BACKGROUND).all(axis=2))
+    assert len(rows) > 1000, "no view to be seen"
+    return image[rows.min():rows.max() + 1, columns.min():columns.max() + 1]
+
+
+def play(command, variables):
+    """Exit code and output of a program, which is ended together with its display when it hangs: a
+    dialog that a step doesn't close does that."""
+    with subprocess.Popen(command, env=variables, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, start_new_session=True) as process:
+        try:
+            output = process.communicate(timeout=TIME_LIMIT)[0]
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            output = process.communicate()[0] + f"Stopped after {TIME_LIMIT} s."
+    return process.returncode, output
+
+
+def compare_png(path, name):
+    """Compares a picture of a view with Testing/Baseline, as the tests of Testing/Python do."""
+    from baseline import compare, pixels
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    compare((pixels(reader.GetOutput()).astype(int) + 25) // 51 * 51, name)
+
+
+class Interface:
+    """Steps for one start of ParaView."""
+
+    def __init__(self, name, **variables):
+        self.folder = os.path.join(os.environ["FEATUREHEX_TEMPORARY_DIR"], name)
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.home = os.path.join(self.folder, "home")
+        self.settings = os.path.join(self.home, ".config", "ParaView")
+        os.makedirs(os.path.join(self.settings, "Macros"))
+        self.failures = os.path.join(self.folder, "failures.txt")
+        self.variables = variables
+        self.events = []
+        self.steps = 0
+        with open(os.path.join(self.settings, "ParaView5.11.0.ini"), "w", encoding="utf-8") as file:
+            # The welcome would hide everything.
+            file.write("[General]\nGeneralSettings.ShowWelcomeDialog=false\n")
+        self.event(CONSOLE, "executeCommand", self.step_file(STEP, "exec(open({0!r}).read())"))
+
+    def step_file(self, text, command):
+        path = os.path.join(self.folder, f"step{self.steps}.py")
+        self.steps += 1
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return command.format(path)
+
+    def event(self, widget, command, arguments=""):
+        """Any event of ParaView's test player; widget: names from the main window on."""
+        self.events.append((widget, command, arguments))
+
+    def menu(self, path, action):
+        """path: of the menu, such as menuFilters/FeatureHex; action: its name or text."""
+        self.event(f"{WINDOW}/menubar/{path}", "activate", action)
+
+    def open(self, path):
+        """File > Open, and Apply."""
+        self.menu("menu_File", "actionFileOpen")
+        self.event(WINDOW + "/FileOpenDialog", "filesSelected", path)
+        self.apply()
+
+    def filter(self, name):
+        """Filters > FeatureHex."""
+        self.menu("menuFilters/FeatureHex", name)
+
+    def apply(self):
+        self.event(PANEL + "/Accept", "activate")
+
+    def choose(self, name, text):
+        """In a drop-down list of the panel; name: of the property."""
+        self.event(f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/"
+                   f"PropertiesFrame/ProxyPanel/{name}/ComboBox", "set_string", text)
+
+    def python(self, text):
+        """Python inside ParaView, with paraview.simple as simple; it fails by an exception."""
+        self.event(CONSOLE, "executeCommand",
+                   self.step_file(text, "featurehex_step({0!r}, %r)" % self.failures))
+
+    def screenshot(self, name):
+        """Of the whole window, for image(name)."""
+        # The X server may still be drawing what ParaView has sent.
+        self.python(f"import shutil, time\ntime.sleep(0.3)\n"
+                    f"shutil.copy({self.folder!r} + '/Xvfb_screen0', {self.dump(name)!r})")
+
+    def dump(self, name):
+        return os.path.join(self.folder, name + ".xwd")
+
+    def image(self, name):
+        """A screenshot; writes it as PNG, too."""
+        image = read_dump(self.dump(name))
+        write_png(os.path.join(self.folder, name + ".png"), image)
+        return image
+
+    def run(self, errors=0):
+        """Plays the steps; what ParaView printed. errors: as many are expected in its messages."""
+        script = os.path.join(self.folder, "events.xml")
+        with open(script, "w", encoding="utf-8") as file:
+            file.write('<?xml version="1.0" ?>\n<pqevents>\n')
+            for widget, command, arguments in self.events:
+                file.write(f"  <pqevent object={quoteattr(widget)} command={quoteattr(command)} "
+                           f"arguments={quoteattr(arguments)}/>\n")
+            file.write("</pqevents>\n")
+        variables = {key: value for key, value in os.environ.items()
+                     if key not in ("PYTHONPATH", "XDG_CONFIG_HOME", "DISPLAY")}
+        with tempfile.TemporaryDirectory() as prefix:
+            variables.update(HOME=self.home, PV_PLUGIN_PATH=install(prefix), **self.variables)
+            # Without -noreset the server goes away with its first client.
+            code, output = play(
+                ["xvfb-run", "-a", "-s",
+                 f"-screen 0 {WIDTH}x{HEIGHT}x24 -noreset -fbdir {self.folder}",
+                 "paraview", "-qwindowgeometry", f"{WIDTH}x{HEIGHT}+0+0",
+                 "--test-directory=" + self.folder, "--test-script=" + script, "--exit"],
+                variables)
+        if os.path.exists(self.failures):
+            with open(self.failures, encoding="utf-8") as file:
+                output += file.read()
+        assert code == 0 and not os.path.exists(self.failures), output
+        assert output.count("ERR|") == errors, output
+        return output
