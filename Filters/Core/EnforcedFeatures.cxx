@@ -52,14 +52,32 @@ void AddFarPoints(
 }
 }
 
-std::vector<Vec3> FeaturePlacesBeyond(const HexMesh& mesh, const std::vector<Quad>& quads,
+std::vector<Vec3> MissedFeaturePlaces(const HexMesh& mesh, const std::vector<Quad>& quads,
   const HexFeatures& features, const FeatureGeometry& geometry,
   const FeatureValidationReport& report, double distance)
 {
   std::vector<Vec3> places;
+  for (std::size_t c = 0; c < report.Corners.size(); ++c)
+  {
+    if (report.Corners[c].Outcome == FeatureOutcome::OffPosition)
+    {
+      places.push_back(geometry.CornerPoint(static_cast<Index>(c)));
+    }
+  }
   for (std::size_t c = 0; c < report.Curves.size(); ++c)
   {
-    if (report.Curves[c].Outcome == FeatureOutcome::BeyondTolerance)
+    if (report.Curves[c].Outcome == FeatureOutcome::OffPosition)
+    {
+      const Polyline curve(geometry.Curves()[c].Points);
+      for (const Vec3& p : PointsOf(mesh, features.CurvePaths[c]))
+      {
+        if (curve.Closest(p).Distance > 0.5 * report.Curves[c].VertexDeviation)
+        {
+          places.push_back(p);
+        }
+      }
+    }
+    else if (report.Curves[c].Outcome == FeatureOutcome::BeyondTolerance)
     {
       const std::vector<Vec3> chain = PointsOf(mesh, features.CurvePaths[c]);
       const std::vector<Vec3>& curve = geometry.Curves()[c].Points;

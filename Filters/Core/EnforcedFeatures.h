@@ -20,10 +20,11 @@ using FeatureName = std::pair<FeatureKind, Index>;
 std::set<FeatureName> FeaturesAt(
   const HexMesh& mesh, const std::vector<Index>& hexes, const FeatureLabels& labels);
 
-/// Where curves and patches that @a report calls BeyondTolerance and their chains and quads are
-/// farther apart than @a distance (model units), sampled. The boundary as a whole may be nearer:
-/// the surface beyond a crease counts there, not here. @a quads: the boundary.
-std::vector<Vec3> FeaturePlacesBeyond(const HexMesh& mesh, const std::vector<Quad>& quads,
+/// Where finer cells may help features that @a report calls OffPosition, whose vertices are trapped
+/// beside them, or BeyondTolerance: their chains and quads are farther from them than @a distance
+/// (model units), sampled. The boundary as a whole may be nearer: the surface beyond a crease
+/// counts there, not here. @a quads: the boundary.
+std::vector<Vec3> MissedFeaturePlaces(const HexMesh& mesh, const std::vector<Quad>& quads,
   const HexFeatures& features, const FeatureGeometry& geometry,
   const FeatureValidationReport& report, double distance);
 

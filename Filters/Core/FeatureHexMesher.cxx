@@ -677,8 +677,8 @@ Mesher::Outcome Mesher::Validate(Status& status)
   return this->Refine(report.Result.Message, StatusCode::Validation, places, status);
 }
 
-/// A valid mesh may have edges and quads that leave their own curve or patch by more than the
-/// tolerance: finer cells there.
+/// A valid mesh may have vertices that are trapped beside their corner or curve, and edges and quads
+/// that leave their own curve or patch by more than the tolerance: finer cells there.
 Mesher::Outcome Mesher::FollowFeatures(Status& status)
 {
   this->KeepBest();
@@ -687,7 +687,7 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
   {
     return Outcome::Done;
   }
-  const std::vector<Vec3> places = FeaturePlacesBeyond(this->Body.Mesh, this->Stars.Quads,
+  const std::vector<Vec3> places = MissedFeaturePlaces(this->Body.Mesh, this->Stars.Quads,
     this->Features, *this->Enforced.Geometry(), this->Result.Validation.Features,
     BeyondShare * this->AbsoluteTolerance());
   if (places.empty())
@@ -695,7 +695,7 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
     return Outcome::Done;
   }
   const Outcome outcome =
-    this->Refine("Feature curves or patches are left by more than the tolerance",
+    this->Refine("Features are missed or left by more than the tolerance",
       StatusCode::Features, places, status);
   if (outcome == Outcome::Failed)
   {

@@ -59,32 +59,39 @@ std::vector<Vec3> SurfaceGeometry::Samples(double spacing) const
       samples.push_back(this->Surface.Points[v]);
     }
   }
+  const auto addInside = [&](const Vec3& a, const Vec3& b) {
+    const int n = pieces((b - a).norm());
+    for (int i = 1; i < n; ++i)
+    {
+      samples.push_back(a + (b - a) * (static_cast<double>(i) / n));
+    }
+  };
   for (const Triangle& t : this->Surface.Triangles)
   {
-    double longest = 0;
+    int base = 0;
+    std::array<double, 3> lengths;
     for (int k = 0; k < 3; ++k)
     {
       const Vec3& a = this->Surface.Points[t[k]];
       const Vec3& b = this->Surface.Points[t[(k + 1) % 3]];
-      const int n = pieces((b - a).norm());
-      longest = std::max(longest, (b - a).norm());
+      lengths[k] = (b - a).norm();
+      base = lengths[k] > lengths[base] ? k : base;
       // Each edge of a closed surface is seen twice, in both directions: once is enough.
-      for (int i = 1; i < n && t[k] < t[(k + 1) % 3]; ++i)
+      if (t[k] < t[(k + 1) % 3])
       {
-        samples.push_back(a + (b - a) * (static_cast<double>(i) / n));
+        addInside(a, b);
       }
     }
-    const int n = pieces(longest);
-    const Vec3& a = this->Surface.Points[t[0]];
-    const Vec3 ab = this->Surface.Points[t[1]] - a;
-    const Vec3 ac = this->Surface.Points[t[2]] - a;
-    for (int i = 1; i < n; ++i)
+    // Rows along the longest edge: few across a sliver.
+    const Vec3& a = this->Surface.Points[t[base]];
+    const Vec3& b = this->Surface.Points[t[(base + 1) % 3]];
+    const Vec3& c = this->Surface.Points[t[(base + 2) % 3]];
+    const int rows =
+      lengths[base] > 0 ? pieces((b - a).cross(c - a).norm() / lengths[base]) : 0;
+    for (int row = 1; row < rows; ++row)
     {
-      for (int j = 1; i + j < n; ++j)
-      {
-        samples.push_back(
-          a + ab * (static_cast<double>(i) / n) + ac * (static_cast<double>(j) / n));
-      }
+      const double share = static_cast<double>(row) / rows;
+      addInside(a + (c - a) * share, b + (c - b) * share);
     }
   }
   return samples;

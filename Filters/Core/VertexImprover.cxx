@@ -18,6 +18,10 @@ constexpr double NearLimit = 0.6;       // share of the limit from which contact
 constexpr double DrawPullStart = 0.9;
 constexpr double DrawNearLimit = 0.85;
 constexpr double AveragePull = 1000.0; // of the surface term of RaiseAverage, per corner
+/// Of the squared angle errors, (1 - scaled Jacobian)^2, in RaiseAverage ...
+constexpr double AngleWeight = 20.0;
+/// ... and of the distortion, which alone would trade angles for equal edges.
+constexpr double DistortionWeight = 0.05;
 constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
 
 /// Newton step of a 3x3 system with the eigenvalues made positive.
@@ -215,6 +219,12 @@ struct VertexImprover::Corner
       det = a.dot(this->Cross);
     }
     return det > 0 ? MipsScale * squares * std::sqrt(squares) / det : 1e300;
+  }
+
+  double MeanEnergy(const Vec3& x) const
+  {
+    const double error = 1 - this->ScaledJacobian(x);
+    return AngleWeight * error * error + DistortionWeight * this->Distortion(x);
   }
 
   void DistortionDerivatives(const Vec3& x, Vec3& gradient, Mat3& hessian) const
@@ -582,6 +592,25 @@ VertexImprover::Model VertexImprover::DistortionModel(const Star& star)
   return model;
 }
 
+/// The energy of RaiseAverage without the surface.
+VertexImprover::Model VertexImprover::MeanModel(const Star& star)
+{
+  Model model = DistortionModel(star);
+  model.Energy = 0;
+  model.Gradient *= DistortionWeight;
+  model.Hessian *= DistortionWeight;
+  for (const Corner& corner : star.Corners)
+  {
+    Vec3 g;
+    Mat3 h;
+    corner.Derivatives(star.Position, g, h);
+    model.Energy += corner.MeanEnergy(star.Position);
+    model.Gradient -= 2 * AngleWeight * (1 - corner.Value) * g;
+    model.Hessian += 2 * AngleWeight * (g * g.transpose() - (1 - corner.Value) * h);
+  }
+  return model;
+}
+
 /// weight * excess^2 for each contact, excess = distance / limit - start where positive.
 void VertexImprover::AddPulls(const Star& star, const PullLaw& law, Model& model) const
 {
@@ -714,7 +743,7 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
   }
   static thread_local Star star;
   this->Gather(vertex, star);
-  Model model = DistortionModel(star);
+  Model model = MeanModel(star);
   double weight = 0;
   TrianglePoint anchor;
   Vec3 normal = Vec3::Zero();
@@ -743,7 +772,7 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
       {
         return false;
       }
-      sum += corner.Distortion(x);
+      sum += corner.MeanEnergy(x);
     }
     return sum < model.Energy - 1e-12 * model.Energy;
   });

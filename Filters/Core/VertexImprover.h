@@ -51,7 +51,8 @@ public:
   /// Newton step on the distortion, with quads beyond 0.9 of the limit drawn back with @a weight.
   bool DrawInside(Index vertex, double weight);
 
-  /// Newton step on the distortion near the surface; corners stay above min(their value, floor).
+  /// Newton step on the squared angle errors of the corners near the surface; corners stay above
+  /// min(their value, floor).
   bool RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor);
 
   /// Move towards the closest surface point (of its patch), or to its corner or curve, where it is
@@ -76,6 +77,7 @@ private:
   static const PullLaw BarrierPull;
 
   static Model DistortionModel(const Star& star);
+  static Model MeanModel(const Star& star);
   static Vec3 StepOf(const Model& model, const Star& star, double least);
   void AddPulls(const Star& star, const PullLaw& law, Model& model) const;
   double WithPulls(double energy, const Star& star, const PullLaw& law, const Vec3& x) const;

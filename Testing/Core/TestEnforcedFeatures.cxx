@@ -113,7 +113,7 @@ TEST(EnforcedFeatures, PlacesWhereChainsAndQuadsLeaveTheirFeature)
   report.Curves.resize(setting.Shape.Graph.Curves.size());
   report.Patches.resize(setting.Shape.Graph.NumberOfPatches);
   const auto places = [&] {
-    return FeaturePlacesBeyond(
+    return MissedFeaturePlaces(
       mesh, quads, features, *setting.Features.Geometry(), report, 0.2);
   };
   const std::vector<Index>& path = features.CurvePaths[setting.Edge];
