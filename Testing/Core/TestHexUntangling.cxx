@@ -192,6 +192,31 @@ TEST(HexUntangling, ScaleAndPlaceDoNotMatter)
   }
 }
 
+TEST(HexUntangling, OnlyChangedVerticesMove)
+{
+  HexMesh mesh = BallMesh(8);
+  const std::vector<Vec3> start = mesh.Points;
+  std::vector<char> changed;
+  for (Index v = 0; v < static_cast<Index>(start.size()); ++v)
+  {
+    changed.push_back(start[v][0] > 0);
+  }
+  const auto center = std::find_if(start.begin(), start.end(),
+    [](const Vec3& p) { return p[0] > 0.1 && p.norm() < 0.5; });
+  mesh.Points[center - start.begin()] *= -1.5; // into the others
+  ASSERT_FALSE(InvertedHexes(mesh).empty());
+  UntangleOptions options;
+  options.Changed = &changed;
+  UntangleReport report;
+  Monitor monitor;
+  EXPECT_TRUE(UntangleHexes(mesh, HexStars(mesh), nullptr, options, report, monitor).Ok());
+  EXPECT_EQ(report.InvertedAfter, 0);
+  for (Index v = 0; v < static_cast<Index>(start.size()); ++v)
+  {
+    EXPECT_TRUE(changed[v] || mesh.Points[v] == start[v]) << v;
+  }
+}
+
 TEST(HexUntangling, StopsWhenAsked)
 {
   for (UntangleMethod method : Methods)
