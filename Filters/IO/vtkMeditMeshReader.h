@@ -58,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Read quadrilaterals, edges and corners too. Default: off, because the filters take
-   * hexahedra only.
+   * Read quadrilaterals, edges and corners too, with the cell arrays PatchId and CurveId. Default:
+   * off, because the filters take hexahedra only.
    */
   vtkSetMacro(BoundaryElements, bool);
   vtkGetMacro(BoundaryElements, bool);

@@ -40,6 +40,7 @@ void PolyDataFromQuads(
   const std::vector<Vec3>& points, const std::vector<Quad>& quads, vtkPolyData* output);
 
 //--- hex meshes -----------------------------------------------------------------------------------
+/// How much of a hex mesh is checked.
 enum class MeshCheck
 {
   Ids,       ///< hexahedra or voxels only, ids exist; points may be NaN

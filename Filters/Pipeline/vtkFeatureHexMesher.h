@@ -190,9 +190,9 @@ public:
 
   ///@{
   /**
-   * FeatureMode Angle: edges with an interior dihedral angle below this are sharp, degrees; concave
-   * edges when they deviate as much from a plane. vtkSurfaceFeatureFilter has more settings.
-   * Default: 140. Range: 0 to 180.
+   * Edges with an interior dihedral angle below this are sharp, degrees; concave edges when they
+   * deviate as much from a plane. Used by FeatureMode Angle. vtkSurfaceFeatureFilter has more
+   * settings. Default: 140. Range: 0 to 180.
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);

@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Layers also under the groups of patches that the hexes follow as a grid does. They make room
-   * for untangling and fitting, and more hexes that are flatter. Without features, or with
+   * Layers also under patches that the hexes follow as a grid does. They make room for untangling
+   * and fitting, and more hexes that are flatter. Without features, or with
    * LocalPadding off, there is one layer under the whole boundary anyway. Default: off.
    */
   vtkSetMacro(PadEveryPatch, bool);

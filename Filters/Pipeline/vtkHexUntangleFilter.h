@@ -53,6 +53,9 @@ public:
   vtkTypeMacro(vtkHexUntangleFilter, vtkFeatureHexAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * How hexes are untangled.
+   */
   enum Methods
   {
     REGULARIZED = 0, ///< the mesh stays connected, the determinant is regularised
@@ -61,7 +64,8 @@ public:
 
   ///@{
   /**
-   * Which way. Default: REGULARIZED, which is faster and leaves better hexes.
+   * Regularized: the mesh stays connected and the determinant is regularised, which is faster and
+   * leaves better hexes. Stitching: hexes are taken apart and sewn together. Default: REGULARIZED.
    */
   vtkSetClampMacro(Method, int, REGULARIZED, STITCHING);
   vtkGetMacro(Method, int);

@@ -82,8 +82,8 @@ public:
 
   ///@{
   /**
-   * Corners of the feature graph where more than six curves, or two at less than 30 degrees meet,
-   * count like others. As it was when the mesh was made. Default: off.
+   * Corners where more than six curves, or two at less than 30 degrees meet, count like others.
+   * As it was when the mesh was made. Default: off.
    */
   vtkSetMacro(EnforceAllFeatures, bool);
   vtkGetMacro(EnforceAllFeatures, bool);

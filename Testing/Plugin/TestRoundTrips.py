@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""State files, Python states and traces make the same bits again, in processes of their own.
+"""State files, Python states and traces make the same bits again in pvbatch.
 
-The others find the plugin through PV_PLUGIN_PATH in the build tree; one of them is pvbatch.
+pvbatch finds the plugin through PV_PLUGIN_PATH in the build tree.
 """
 import os
 
@@ -18,7 +18,7 @@ print("bits", bits(fetch(mesher)), bits(fetch(last)))
 """
 folder = os.environ["FEATUREHEX_TEMPORARY_DIR"]
 plugin = os.environ["FEATUREHEX_PLUGIN"]
-pvpython = os.environ["FEATUREHEX_PVPYTHON"]
+batch = os.path.join(os.path.dirname(os.environ["FEATUREHEX_PVPYTHON"]), "pvbatch")
 variables = {"PV_PLUGIN_PATH": os.path.dirname(plugin)}
 
 simple.LoadPlugin(plugin)
@@ -34,16 +34,16 @@ state_file = os.path.join(folder, "state.pvsm")
 simple.SaveState(state_file)
 python_state = smstate.get_state()
 
-batch = os.path.join(os.path.dirname(pvpython), "pvbatch")
-output = run_script(
-    f"from paraview import simple\nsimple.LoadState({state_file!r})\n" + FIND,
-    batch, "--force-offscreen-rendering", **variables)
-assert wanted in output, f"state file in pvbatch: {output}"
-output = run_script(python_state + FIND, **variables)
-assert wanted in output, f"Python state: {output}"
 
+
+def check(text, what):
+    output = run_script(text, batch, "--force-offscreen-rendering", **variables)
+    assert wanted in output, f"{what}: {output}"
+
+
+check(f"from paraview import simple\nsimple.LoadState({state_file!r})\n" + FIND, "state file")
+check(python_state + FIND, "Python state")
 assert "FeatureHexMesher(" in trace_text and "HexUntangle(" in trace_text, trace_text
 last = trace_text.rstrip().splitlines()
 name = [line.split(" = ")[0] for line in last if " = HexValidation(" in line][0]
-output = run_script(trace_text + f"\nRenameSource('Last', {name})\n" + FIND, **variables)
-assert wanted in output, f"trace: {output}"
+check(trace_text + f"\nRenameSource('Last', {name})\n" + FIND, "trace")
