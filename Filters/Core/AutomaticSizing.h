@@ -11,6 +11,7 @@
 
 namespace featurehex
 {
+/// What is chosen where the user leaves it open.
 struct AutomaticSizing
 {
   double CellsPerSide;      ///< target edge length: longest side of the bounding box / this

@@ -10,6 +10,7 @@
 
 namespace featurehex
 {
+/// A function's value and its first and second derivative.
 struct BarrierValue
 {
   double Value = 0, First = 0, Second = 0;

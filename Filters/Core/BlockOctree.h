@@ -75,6 +75,7 @@ struct BlockOctree
   double CellSizeAt(const Vec3& position) const;
 };
 
+/// Size, depth and axes of the grid.
 struct OctreeOptions
 {
   /// Edge length of the cells that meet the surface, model units. Must be positive.

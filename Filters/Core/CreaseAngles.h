@@ -22,6 +22,7 @@ public:
   /// Keeps a reference.
   explicit CreaseAngles(const FeatureGeometry& geometry);
 
+  /// An edge of a curve.
   struct Piece
   {
     double Angle;  ///< of the solid, radians, in (0, 2 pi)

@@ -9,6 +9,7 @@
 
 namespace featurehex
 {
+/// Which edges of a surface are sharp.
 struct FeatureDetectionOptions
 {
   /// Edges with an interior dihedral angle below this are sharp, degrees; concave ones as much:

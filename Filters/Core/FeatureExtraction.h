@@ -28,6 +28,7 @@ enum class AnnotationMode
   Remove
 };
 
+/// Where features come from and what is cleaned up.
 struct FeatureExtractionOptions
 {
   bool PreserveFeatures = true; ///< false: no features, the patches are the components
@@ -41,6 +42,7 @@ struct FeatureExtractionOptions
   FeatureGraphOptions Graph;
 };
 
+/// What was found, cleaned up and doubted.
 struct FeatureExtractionReport
 {
   FeatureDetectionReport Detection;

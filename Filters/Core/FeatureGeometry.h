@@ -43,6 +43,7 @@ struct EnforcedCurve
 /// Where the curves leave a corner, seen from outside, counter-clockwise.
 struct CornerFan
 {
+  /// One end of a curve at the corner.
   struct Spoke
   {
     Index Curve;

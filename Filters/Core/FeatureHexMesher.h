@@ -25,6 +25,7 @@ enum class FeatureMode
   Given  ///< the edges and corners of FeatureInput
 };
 
+/// The sharp features that are asked for.
 struct FeatureInput
 {
   FeatureMode Mode = FeatureMode::None;
@@ -35,6 +36,7 @@ struct FeatureInput
   bool EnforceAll = false; ///< also corners with many or acute curves
 };
 
+/// All options of the composite.
 struct MeshingOptions
 {
   FeatureInput Features;
@@ -64,12 +66,14 @@ struct MeshingRound
   Index RefinementPoints = 0; ///< added for the next round
 };
 
+/// How long a stage took.
 struct StageTiming
 {
   std::string Stage;
   double Seconds = 0.0; ///< wall time, all rounds
 };
 
+/// The mesh, and all that is known about it.
 struct MeshingResult
 {
   HexMesh Mesh;

@@ -11,6 +11,7 @@
 
 namespace featurehex
 {
+/// Cell sizes that features ask for.
 struct FeatureSizingOptions
 {
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0

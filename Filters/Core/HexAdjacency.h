@@ -15,6 +15,7 @@ struct IdLists
   std::vector<Index> Offsets; ///< size() + 1 entries
   std::vector<Index> Ids;
 
+  /// The ids of one list.
   struct Range
   {
     const Index* First;

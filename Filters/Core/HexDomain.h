@@ -18,6 +18,7 @@
 
 namespace featurehex
 {
+/// How hexes are labelled and the labels are repaired.
 struct DomainOptions
 {
   /// A hex belongs to the solid when its centre is inside, or outside by less than this many local
@@ -37,6 +38,7 @@ struct DomainOptions
   Index MaximumFlips = 20000; ///< bound of the repair
 };
 
+/// The labels of all hexes, and how they compare with the surface.
 struct HexDomain
 {
   std::vector<int> Region; ///< per hex: 0 outside, 1.. body, in the order of their first hexes

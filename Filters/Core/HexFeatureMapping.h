@@ -15,6 +15,7 @@
 
 namespace featurehex
 {
+/// How far features may be looked for.
 struct FeatureMappingOptions
 {
   /// A corner goes to an interface vertex within this many local edge lengths, if there is one.
@@ -34,6 +35,7 @@ struct MappingFailure
   std::vector<Vec3> Places; ///< where finer cells would help
 };
 
+/// Which vertices, edges and quads stand for the features, and what failed.
 struct FeatureMapping
 {
   HexFeatures Features; ///< vertices of the hex mesh; PatchOfQuad: of each interface quad

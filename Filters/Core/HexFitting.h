@@ -11,6 +11,7 @@
 
 namespace featurehex
 {
+/// Of the way to the surface.
 struct FittingOptions
 {
   double Tolerance = 0.005;       ///< of the diagonal of the surface's bounding box

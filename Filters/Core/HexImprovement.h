@@ -13,6 +13,7 @@
 
 namespace featurehex
 {
+/// When the improvement stops, and what it may not do.
 struct ImprovementOptions
 {
   /// Wanted minimum scaled Jacobian; best effort.
@@ -32,6 +33,7 @@ struct ImprovementOptions
   const std::vector<char>* Changed = nullptr;
 };
 
+/// What the improvement reached.
 struct ImprovementReport
 {
   double MinimumBefore = 0, MinimumAfter = 0;

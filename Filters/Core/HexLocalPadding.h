@@ -12,6 +12,7 @@
 
 namespace featurehex
 {
+/// Which quads are degenerate, and how thick their layers are.
 struct LocalPaddingOptions
 {
   /// A quad corner between two feature edges that will get a wider angle than this, degrees, is
@@ -24,6 +25,7 @@ struct LocalPaddingOptions
   double Thickness = 0.25;
 };
 
+/// How much was padded.
 struct LocalPaddingReport
 {
   Index DegenerateQuads = 0;

@@ -11,6 +11,7 @@
 
 namespace featurehex
 {
+/// Of the layer under the whole boundary.
 struct PaddingOptions
 {
   /// Of the layer, in local cell sizes. Positive: layers of no thickness tangle again. Thin layers

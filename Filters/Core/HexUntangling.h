@@ -12,12 +12,14 @@
 
 namespace featurehex
 {
+/// How hexes are untangled.
 enum class UntangleMethod
 {
   Regularized, ///< the mesh stays connected; the determinant is regularised (Garanzha et al. 2021)
   Stitching    ///< hexes are taken apart and sewn together (the paper's)
 };
 
+/// Which method, and how long it tries.
 struct UntangleOptions
 {
   UntangleMethod Method = UntangleMethod::Regularized;
@@ -31,6 +33,7 @@ struct UntangleOptions
   const std::vector<char>* Changed = nullptr;
 };
 
+/// What is left inverted.
 struct UntangleReport
 {
   Index InvertedBefore = 0;

@@ -19,6 +19,7 @@
 
 namespace featurehex
 {
+/// What a mesh is measured against.
 struct HexValidationOptions
 {
   /// Allowed Hausdorff distance, fraction of the diagonal of the surface's bounding box.
@@ -48,6 +49,7 @@ enum HexDefect : std::uint32_t
 /// Name of a single defect, e.g. "NotCertified".
 const char* HexDefectName(HexDefect defect);
 
+/// A hex that breaks a promise.
 struct OffendingHex
 {
   Index Hex = -1;

@@ -70,6 +70,7 @@ bool IsNonManifold(const HexGraph& graph, const std::vector<char>& inside, Index
 /// interface quads has such vertices too.
 std::vector<Index> NonManifoldVertices(const HexGraph& graph, const std::vector<char>& inside);
 
+/// What the repair of the interface did.
 struct RepairResult
 {
   Index Flips = 0;

@@ -11,6 +11,7 @@
 
 namespace featurehex
 {
+/// Of fitting, improvement and their proof together.
 struct ProvenFittingOptions
 {
   /// Fraction of the diagonal of the surface's bounding box.
@@ -21,6 +22,7 @@ struct ProvenFittingOptions
   int ImprovementRounds = 8;
 };
 
+/// How fitting ended.
 enum class FittingOutcome
 {
   Proven,   ///< every point of both surfaces is within the tolerance
@@ -29,6 +31,7 @@ enum class FittingOutcome
   NotProven ///< the samples are inside, but not all points are known to be
 };
 
+/// Whether the distance is proven, and where not.
 struct ProvenFittingReport
 {
   FittingOutcome Outcome = FittingOutcome::Far;

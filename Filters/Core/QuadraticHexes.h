@@ -21,6 +21,7 @@ struct QuadraticTargets
   const HexFeatures* MeshFeatures = nullptr;     ///< of the hex mesh
 };
 
+/// How many nodes, and how far they may move.
 struct QuadraticOptions
 {
   int NodesPerHex = 20; ///< or 27
@@ -29,6 +30,7 @@ struct QuadraticOptions
   double LargestMove = 0.25;
 };
 
+/// How many nodes reached the surface.
 struct QuadraticReport
 {
   Index BoundaryNodes = 0;    ///< added on the boundary

@@ -45,6 +45,7 @@ enum class ShellVerdict
   Genus    ///< one, with another Euler characteristic
 };
 
+/// How the shells of a mesh match those of the surface.
 struct ShellComparison
 {
   std::vector<Index> Matched;         ///< per mesh shell the surface shell that it is nearest to

@@ -32,6 +32,7 @@ struct SolverMesh
     int Edge;
     std::int32_t Curve;
   };
+  /// A vertex on a feature corner.
   struct Corner
   {
     Index Point;

@@ -26,6 +26,7 @@ enum class StagePromise
   Certified        ///< Jacobian proven positive in the whole hex
 };
 
+/// How much of a stage's output is checked.
 enum class CheckDepth
 {
   Cheap, ///< ids, coordinates, lengths of arrays: one pass, no memory
@@ -36,8 +37,10 @@ enum class CheckDepth
 /// as in all tests; else Cheap.
 CheckDepth DefaultCheckDepth();
 
+/// What a stage hands on.
 struct StageOutput
 {
+  /// An array and the length it has to have.
   struct Array
   {
     const char* Name;

@@ -14,6 +14,7 @@
 
 namespace featurehex
 {
+/// Of the check of a surface.
 struct SurfaceCheckOptions
 {
   /// At most this many places (Status::Where) of one error.

@@ -58,6 +58,7 @@ constexpr int MaximumCurvesAtCorner = 6;
 /// Nor can two curves that leave a corner at less than this angle, degrees (design 3.1).
 constexpr double MinimumAngleOfCurves = 30.0;
 
+/// How edges become curves and corners.
 struct FeatureGraphOptions
 {
   /// A point between two feature edges is a corner when they meet at less than this interior angle,

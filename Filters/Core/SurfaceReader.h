@@ -12,6 +12,7 @@
 
 namespace featurehex
 {
+/// What a surface file is written in.
 enum class SurfaceFormat
 {
   Unknown,

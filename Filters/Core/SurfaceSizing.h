@@ -38,6 +38,7 @@ enum class SurfaceSide
   Outside ///< half the local gap
 };
 
+/// Of the search for the largest ball beside the surface.
 struct ClearanceOptions
 {
   double MaximumRadius = 0.0; ///< model units; larger balls are not looked for
@@ -64,6 +65,7 @@ double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample
 /// a fitted plane. Model units.
 double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double size);
 
+/// Cell sizes that thickness, gaps and curvature ask for.
 struct SizingOptions
 {
   double TargetEdgeLength = 0.0; ///< model units, edge length of cells of level 0
