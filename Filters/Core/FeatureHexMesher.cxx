@@ -39,6 +39,7 @@ constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
+constexpr std::size_t ManyPlaces = 100; // of a broken promise: not a local flaw
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 /// Of the wanted minimum: below, curves that bound no patch are given up.
 constexpr double LooseShare = 0.2;
@@ -151,8 +152,7 @@ private:
   std::string LastReason; ///< of a further round, with the first place
   int FeatureRounds = 0;
   int QualityRounds = 0;
-  CarriedPositions Carried;     ///< from the last round that was fitted
-  bool CarriedImproved = false; ///< it was improved, too
+  CarriedPositions Carried; ///< from the last valid mesh
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
   // Of the current round.
@@ -336,9 +336,12 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   round.RefinementPoints = static_cast<Index>(points.size());
   const bool last = this->Round + 1 >= this->LastRound;
   const bool stuck = (points.empty() || last) && this->Best.Mesh.Hexes.empty();
-  if (stuck && this->FitGrid && this->Enforced.Geometry())
+  const bool folded = code == StatusCode::Validation && places.size() > ManyPlaces &&
+    this->Best.Mesh.Hexes.empty();
+  if ((stuck || folded) && this->FitGrid && this->Enforced.Geometry())
   {
-    // A thin wedge on a flat face has no room for hexes where that lies between their layers.
+    // A thin wedge on a flat face has no room for hexes where that lies between their layers: a
+    // large fold that finer cells don't cure.
     this->FitGrid = false;
     this->LastRound += this->Options.MaximumRounds;
     round.Reason += "; the grid is no longer fitted to flat faces";
@@ -604,14 +607,9 @@ Mesher::Outcome Mesher::Fit(Status& status)
   const StageClock clock(this->Result.Timings, "fitting");
   this->BeginPhase("fitting to the surface", 0.22, 0.9);
   ProvenFittingReport report;
-  const FormerFitting former = { this->Changed.empty() ? nullptr : &this->Changed,
-    this->CarriedImproved };
-  status = this->Fitting->Run(
-    this->Body.Mesh, this->Stars, this->Targets.get(), former, report, this->Progress);
-  this->CarriedImproved = report.Improvement.Drawn;
+  status = this->Fitting->Run(this->Body.Mesh, this->Stars, this->Targets.get(),
+    this->Changed.empty() ? nullptr : &this->Changed, report, this->Progress);
   this->Result.Improvement = report.Improvement;
-  this->Carried.Remember(
-    this->Unfitted, this->Labels(), this->Body.Mesh.Points, this->EdgeLength);
   if (status.Ok())
   {
     // Certificates are the validation's: it asks for refinement where one is missing.
@@ -656,6 +654,8 @@ Mesher::Outcome Mesher::Validate(Status& status)
   report = ValidateHexMesh(mesh, &surface, validation, this->Progress);
   if (report.Result.Ok())
   {
+    this->Carried.Remember(
+      this->Unfitted, this->Labels(), this->Body.Mesh.Points, this->EdgeLength);
     return Outcome::Done;
   }
   if (report.Result.Code != StatusCode::Validation)

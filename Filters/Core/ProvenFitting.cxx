@@ -56,13 +56,13 @@ ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFitting
 }
 
 Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-  const FormerFitting& former, ProvenFittingReport& report, Monitor& monitor)
+  const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor)
 {
   report = ProvenFittingReport();
   FittingOptions fitting;
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
-  fitting.Changed = former.Changed;
+  fitting.Changed = changed;
   {
     SubMonitor part(monitor, 0.0, FittingShare);
     SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
@@ -78,12 +78,12 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   {
     return monitor.StopStatus();
   }
-  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, former, report, monitor)
+  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, changed, report, monitor)
                                : Status();
 }
 
 Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
-  FeatureTargets* features, const FormerFitting& former, ProvenFittingReport& report,
+  FeatureTargets* features, const std::vector<char>* changed, ProvenFittingReport& report,
   Monitor& monitor)
 {
   ImprovementOptions improvement;
@@ -91,7 +91,7 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
   improvement.MinimumScaledJacobian = this->Options.MinimumScaledJacobian;
   improvement.MaximumRounds = this->Options.ImprovementRounds;
   improvement.Features = features;
-  improvement.Changed = former.Improved ? former.Changed : nullptr;
+  improvement.Changed = changed;
   const double width = (1 - FittingShare) / MaximumProofs;
   for (int proof = 0; proof < MaximumProofs; ++proof)
   {

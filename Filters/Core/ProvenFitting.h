@@ -40,13 +40,6 @@ struct ProvenFittingReport
   ImprovementReport Improvement;
 };
 
-/// What was done in the last round of refinement (CarriedPositions.h).
-struct FormerFitting
-{
-  const std::vector<char>* Changed = nullptr; ///< 1 for vertices that have to be fitted; null: all
-  bool Improved = false;                      ///< the others are improved, too
-};
-
 /// Fits a mesh without inverted hexes to a surface. Where the proof of the distance fails, the
 /// samples were too coarse: its witnesses become samples, the limit gets a little tighter, and the
 /// improvement runs again.
@@ -56,14 +49,15 @@ public:
   /// Keeps the reference.
   ProvenFitting(const SurfaceGeometry& surface, const ProvenFittingOptions& options);
 
-  /// @a features may be null.
+  /// @a features may be null. @a changed: 1 for vertices that have to be fitted and improved; null:
+  /// all. The others are in place (CarriedPositions.h).
   Status Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-    const FormerFitting& former, ProvenFittingReport& report, Monitor& monitor);
+    const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
 
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
   Status ImproveAndProve(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-    const FormerFitting& former, ProvenFittingReport& report, Monitor& monitor);
+    const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
 
   const SurfaceGeometry& Surface;
   ProvenFittingOptions Options;

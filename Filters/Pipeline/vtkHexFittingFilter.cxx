@@ -107,7 +107,7 @@ featurehex::Status vtkHexFittingFilter::Compute(
   options.ImprovementRounds = this->ImprovementRounds;
   ProvenFittingReport report;
   status = ProvenFitting(surface, options).Run(
-    mesh, stars, features.Targets(), FormerFitting(), report, monitor);
+    mesh, stars, features.Targets(), nullptr, report, monitor);
   const std::vector<Vec3>& places = report.Places;
   if (status.Ok())
   {
