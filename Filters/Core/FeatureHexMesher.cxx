@@ -124,6 +124,7 @@ private:
   Outcome Validate(Status& status);
   Outcome FollowFeatures(Status& status);
   Outcome RaiseQuality(Status& status);
+  std::vector<Vec3> StuckPlaces() const;
   void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
@@ -706,28 +707,51 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
 }
 
 /// A valid mesh whose worst hex is stuck far below the wanted quality gets finer cells there, a few
-/// times.
+/// times. What that can't cure, loose curves may have caused.
 Mesher::Outcome Mesher::RaiseQuality(Status& status)
 {
   const double minimum = this->Result.Validation.Quality.Minimum;
+  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian)
+  {
+    return Outcome::Done;
+  }
+  if (++this->QualityRounds <= MaximumQualityRounds)
+  {
+    const std::vector<Vec3> places = this->StuckPlaces();
+    const bool many = places.size() > StructuralShare * this->Body.Mesh.Hexes.size();
+    const bool poor = minimum < PoorShare * this->Options.MinimumScaledJacobian;
+    // Many: creases, finer cells would look the same; else not worth so many.
+    if (!many || (poor && !this->Enforced.Geometry()))
+    {
+      const Outcome outcome = this->Refine("The worst hexes are stuck at a low scaled Jacobian",
+        StatusCode::Validation, places, status);
+      if (outcome == Outcome::Refine)
+      {
+        return outcome;
+      }
+      status = Status(); // the quality is best effort
+    }
+  }
   if (this->Enforced.Geometry() && this->Round + 1 < this->LastRound && this->GiveUpSpoilers())
   {
     this->PrepareSizing(); // without them
+    this->QualityRounds = 0;
     this->Result.Rounds.back().Reason =
       "Loose curves hold the quality down: not enforced any more";
     return Outcome::Refine;
   }
-  if (minimum >= AcceptableShare * this->Options.MinimumScaledJacobian ||
-    ++this->QualityRounds > MaximumQualityRounds)
-  {
-    return Outcome::Done;
-  }
-  // Only the hexes that hold the minimum down: the others below the wanted value had no chance to
-  // rise yet.
+  return Outcome::Done;
+}
+
+/// On the surface near the hexes that hold the minimum down: the others below the wanted value had
+/// no chance to rise yet.
+std::vector<Vec3> Mesher::StuckPlaces() const
+{
+  const double level = this->Result.Validation.Quality.Minimum + StuckBand;
   std::vector<Vec3> places;
   for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
   {
-    if (this->Result.Validation.ScaledJacobians[h] < minimum + StuckBand)
+    if (this->Result.Validation.ScaledJacobians[h] < level)
     {
       Vec3 center = Vec3::Zero();
       for (Index v : this->Body.Mesh.Hexes[h])
@@ -737,20 +761,7 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
       places.push_back(this->Surface->Search().Closest(center).Point);
     }
   }
-  const bool many = places.size() > StructuralShare * this->Body.Mesh.Hexes.size();
-  const bool poor = minimum < PoorShare * this->Options.MinimumScaledJacobian;
-  if (many && (this->Enforced.Geometry() || !poor))
-  {
-    return Outcome::Done; // creases: finer cells would look the same; else not worth so many
-  }
-  const Outcome outcome = this->Refine(
-    "The worst hexes are stuck at a low scaled Jacobian", StatusCode::Validation, places, status);
-  if (outcome == Outcome::Failed)
-  {
-    status = Status(); // the quality is best effort
-    return Outcome::Done;
-  }
-  return outcome;
+  return places;
 }
 
 /// Sound quality counts first, then missed features, then quality.
