@@ -12,6 +12,9 @@ import sys
 
 from commandline import DATA, SOURCE, folder, succeed
 
+TOLERANCE = 0.01  # of the diagonal
+DIAGONAL = 5.767  # of the bracket
+
 if not shutil.which("cmake"):
     print("Skipped: cmake isn't installed.")
     sys.exit(77)
@@ -44,7 +47,7 @@ def solve(program, place, length):
     bracket = os.path.join(DATA, "rotation", "bracket")
     mesh = os.path.join(place, "mesh.ucd")
     succeed("mesh", bracket + ".obj", "-o", mesh, "--features", bracket + ".fgraph",
-            "--edge-length", length, "--tolerance", "0.01")
+            "--edge-length", length, "--tolerance", TOLERANCE)
     cells, errors, sides = 0, {}, {}
     for line in run(program, mesh).splitlines():
         words = line.split()
@@ -70,7 +73,7 @@ with folder() as place:
     for _, _, sides in results[1:]:
         for side, values in sides.items():
             for a, b in zip(values, results[0][2][side]):
-                assert abs(a - b) < 0.02, (side, values, results[0][2][side])
+                assert abs(a - b) < TOLERANCE * DIAGONAL, (side, values, results[0][2][side])
     for norm, order in (("L2", 2.0), ("H1", 1.0)):
         (first, coarse, _), _, (last, fine, _) = results
         rate = math.log(coarse[norm] / fine[norm]) / math.log((last / first) ** (1.0 / 3.0))

@@ -112,6 +112,7 @@ TEST(EnforcedFeatures, PlacesWhereChainsAndQuadsLeaveTheirFeature)
   FeatureValidationReport report;
   report.Curves.resize(setting.Shape.Graph.Curves.size());
   report.Patches.resize(setting.Shape.Graph.NumberOfPatches);
+  report.Corners.resize(setting.Shape.Graph.Corners.size());
   const auto places = [&] {
     return MissedFeaturePlaces(
       mesh, quads, features, *setting.Features.Geometry(), report, 0.2);
@@ -122,7 +123,9 @@ TEST(EnforcedFeatures, PlacesWhereChainsAndQuadsLeaveTheirFeature)
 
   FeatureFinding& curve = report.Curves[setting.Edge];
   curve.Outcome = FeatureOutcome::OffPosition;
-  EXPECT_TRUE(places().empty()) << "finer cells don't help";
+  curve.VertexDeviation = 0.3;
+  ASSERT_EQ(places().size(), 1u);
+  EXPECT_EQ(places()[0], moved);
   curve.Outcome = FeatureOutcome::BeyondTolerance;
   ASSERT_FALSE(places().empty());
   for (const Vec3& p : places())
@@ -134,4 +137,17 @@ TEST(EnforcedFeatures, PlacesWhereChainsAndQuadsLeaveTheirFeature)
   report.Patches[setting.Shape.Graph.Curves[setting.Edge].LeftPatch].Outcome =
     FeatureOutcome::BeyondTolerance;
   EXPECT_FALSE(places().empty());
+}
+
+TEST(EnforcedFeatures, PlacesOfCornersWhoseVertexIsTrapped)
+{
+  Setting setting;
+  setting.Shape.Map();
+  FeatureValidationReport report;
+  report.Corners.resize(setting.Shape.Graph.Corners.size());
+  report.Corners[0].Outcome = FeatureOutcome::OffPosition;
+  const std::vector<Vec3> places = MissedFeaturePlaces(setting.Shape.Mesh, {},
+    setting.Shape.Mapping.Features, *setting.Features.Geometry(), report, 0.2);
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_EQ(places[0], setting.Features.Geometry()->CornerPoint(0));
 }
