@@ -34,6 +34,14 @@ constexpr const char* PatchId = "PatchId";     ///< 0...; -1 none
 constexpr const char* ComponentId = "ComponentId"; ///< connected piece of a surface, 0...
 constexpr const char* Deviation = "Deviation"; ///< distance to the input, model units
 
+constexpr const char* DeviationOfTolerance = "DeviationOfTolerance"; ///< 1: as far as allowed
+
+// Columns of histograms.
+/// ParaView's charts take a column of this name as their axis.
+constexpr const char* BinMiddles = "bin_extents";
+constexpr const char* Hexes = "Hexes"; ///< how many are in the bin
+constexpr const char* Quads = "Quads"; ///< how many are in the bin
+
 // Cells of feature graphs.
 constexpr const char* CornerId = "CornerId";
 constexpr const char* CurveId = "CurveId";

@@ -221,6 +221,8 @@ void vtkFeatureHexMesher::Warn(const featurehex::MeshingResult& result)
 featurehex::Status vtkFeatureHexMesher::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
+  this->NumberOfHexes = 0;
+  this->SmallestScaledJacobian = this->MeanScaledJacobian = this->HausdorffBound = 0.0;
   MeshingOptions options = this->Options();
   monitor.SetTimeLimit(this->TimeLimit);
   const SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
@@ -248,6 +250,10 @@ featurehex::Status vtkFeatureHexMesher::Compute(
     return status;
   }
   this->Warn(result);
+  this->NumberOfHexes = static_cast<vtkIdType>(result.Mesh.Hexes.size());
+  this->SmallestScaledJacobian = result.Validation.Quality.Minimum;
+  this->MeanScaledJacobian = result.Validation.Quality.Mean;
+  this->HausdorffBound = result.Validation.Distance.Upper() / result.Validation.Diagonal;
 
   if (result.Features.Empty())
   {
@@ -261,6 +267,7 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   AddArray(mesh->GetCellData(), ArrayNames::Region, result.Region);
   AddArray(mesh->GetCellData(), ArrayNames::Level, result.Level);
   AddArray(mesh->GetCellData(), ArrayNames::ScaledJacobian, result.Validation.ScaledJacobians);
+  mesh->GetCellData()->SetActiveScalars(ArrayNames::ScaledJacobian);
 
   vtkPolyData* boundary = vtkPolyData::GetData(outputs, 1);
   PolyDataFromQuads(result.Mesh.Points, quads, boundary);
@@ -295,4 +302,8 @@ void vtkFeatureHexMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "EnforceAllFeatures: " << (this->EnforceAllFeatures ? "on" : "off") << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
+  os << indent << "NumberOfHexes: " << this->NumberOfHexes << "\n";
+  os << indent << "SmallestScaledJacobian: " << this->SmallestScaledJacobian << "\n";
+  os << indent << "MeanScaledJacobian: " << this->MeanScaledJacobian << "\n";
+  os << indent << "HausdorffBound: " << this->HausdorffBound << "\n";
 }

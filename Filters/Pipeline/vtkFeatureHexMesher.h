@@ -217,6 +217,27 @@ public:
   vtkGetMacro(TimeLimit, double);
   ///@}
 
+  /**
+   * Hexes of the last mesh; 0 before.
+   */
+  vtkGetMacro(NumberOfHexes, vtkIdType);
+
+  /**
+   * Scaled Jacobian of the worst hex of the last mesh; 0 before.
+   */
+  vtkGetMacro(SmallestScaledJacobian, double);
+
+  /**
+   * Mean scaled Jacobian of the last mesh; 0 before.
+   */
+  vtkGetMacro(MeanScaledJacobian, double);
+
+  /**
+   * Proven bound of the distance between boundary and surface of the last mesh, as a fraction of
+   * the diagonal of the bounding box; 0 before.
+   */
+  vtkGetMacro(HausdorffBound, double);
+
 protected:
   vtkFeatureHexMesher();
   ~vtkFeatureHexMesher() override;
@@ -248,6 +269,10 @@ private:
   double FeatureAngle = 140.0;
   bool EnforceAllFeatures = false;
   double TimeLimit = 0.0;
+  vtkIdType NumberOfHexes = 0;
+  double SmallestScaledJacobian = 0.0;
+  double MeanScaledJacobian = 0.0;
+  double HausdorffBound = 0.0;
 };
 
 #endif

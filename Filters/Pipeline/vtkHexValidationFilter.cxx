@@ -52,6 +52,7 @@ void AddDefects(const HexMesh& mesh, const HexValidationReport& report, vtkUnstr
     reasons.push_back(DefectNames(bad.Defects));
   }
   AddArray(output->GetCellData(), ArrayNames::ScaledJacobian, report.ScaledJacobians);
+  output->GetCellData()->SetActiveScalars(ArrayNames::ScaledJacobian);
   AddArray(output->GetCellData(), ArrayNames::Certified, certified);
   AddArray(output->GetCellData(), ArrayNames::Defects, defects);
   GridFromHexes(mesh, ids, output, offending);
@@ -116,6 +117,8 @@ int vtkHexValidationFilter::FillOutputPortInformation(int port, vtkInformation* 
 featurehex::Status vtkHexValidationFilter::Compute(
   vtkInformationVector** inputs, vtkInformationVector* outputs, featurehex::Monitor& monitor)
 {
+  this->Valid = 0;
+  this->SmallestScaledJacobian = this->MeanScaledJacobian = this->HausdorffBound = 0.0;
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0]);
   monitor.BeginPhase("checking the hexes");
   HexMesh mesh;
@@ -158,6 +161,10 @@ featurehex::Status vtkHexValidationFilter::Compute(
     return status;
   }
 
+  this->Valid = report.Valid() ? 1 : 0;
+  this->SmallestScaledJacobian = report.Quality.Minimum;
+  this->MeanScaledJacobian = report.Quality.Mean;
+  this->HausdorffBound = report.HasSurface ? report.Distance.Upper() / report.Diagonal : 0.0;
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
   output->ShallowCopy(input);
   AddDefects(mesh, report, output, vtkUnstructuredGrid::GetData(outputs, 2));
@@ -180,4 +187,8 @@ void vtkHexValidationFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "EnforceAllFeatures: " << (this->EnforceAllFeatures ? "on" : "off") << "\n";
+  os << indent << "Valid: " << this->Valid << "\n";
+  os << indent << "SmallestScaledJacobian: " << this->SmallestScaledJacobian << "\n";
+  os << indent << "MeanScaledJacobian: " << this->MeanScaledJacobian << "\n";
+  os << indent << "HausdorffBound: " << this->HausdorffBound << "\n";
 }

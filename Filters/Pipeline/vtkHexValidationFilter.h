@@ -90,6 +90,28 @@ public:
   vtkBooleanMacro(EnforceAllFeatures, bool);
   ///@}
 
+  /**
+   * 1: the last mesh keeps all promises that could be checked; 0: it does not, or there was none
+   * yet.
+   */
+  vtkGetMacro(Valid, int);
+
+  /**
+   * Scaled Jacobian of the worst hex of the last mesh; 0 before.
+   */
+  vtkGetMacro(SmallestScaledJacobian, double);
+
+  /**
+   * Mean scaled Jacobian of the last mesh; 0 before.
+   */
+  vtkGetMacro(MeanScaledJacobian, double);
+
+  /**
+   * Proven bound of the distance between boundary and surface, as a fraction of the diagonal of
+   * the bounding box; 0 without a surface.
+   */
+  vtkGetMacro(HausdorffBound, double);
+
 protected:
   vtkHexValidationFilter();
   ~vtkHexValidationFilter() override;
@@ -105,6 +127,10 @@ private:
 
   double Tolerance = 0.005;
   bool EnforceAllFeatures = false;
+  int Valid = 0;
+  double SmallestScaledJacobian = 0.0;
+  double MeanScaledJacobian = 0.0;
+  double HausdorffBound = 0.0;
 };
 
 #endif

@@ -25,6 +25,7 @@ view = simple.GetActiveView()
 view.OrientationAxesVisibility = 0
 display = simple.GetDisplayProperties()
 display.Ambient, display.Diffuse = 1, 0
+display.SetScalarBarVisibility(view, False)
 simple.SaveScreenshot({!r}, view, ImageResolution=[300, 300])
 """
 # A cube without its last face.

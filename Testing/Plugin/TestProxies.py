@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each proxy of the plugin says what its class says: names, defaults, ranges, ports, documentation."""
+"""Each proxy of the plugin says what its class says: names, defaults, ranges, ports, documentation;
+and has what a panel needs: help, icon, groups, names of outputs, places in File > Open and Save."""
 import glob
 import os
 import re
@@ -13,6 +14,11 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm, vtkPolyDataAlgorith
 # Larger limits keep numbers finite and mean nothing to users: the panel has none.
 UNLIMITED = 1e9
 RESOURCES = os.path.join(os.environ["FEATUREHEX_SOURCE_DIR"], "Plugin", "Resources")
+
+ICONS = [e.get("alias") for e in ElementTree.parse(
+    os.path.join(RESOURCES, "icons.qrc")).iter("file")]
+assert sorted(ICONS) == sorted(os.path.basename(path) for path in glob.glob(
+    os.path.join(RESOURCES, "Icons", "*.svg"))), ICONS
 
 simple.LoadPlugin(os.environ["FEATUREHEX_PLUGIN"])
 manager = servermanager.ProxyManager()
@@ -76,6 +82,42 @@ def check_default(instance, name, value, where):
     assert value == default, f"{where}: {value} in the panel, {default} in C++"
 
 
+def check_groups(definition, where):
+    """Panels of more than three properties have groups, and each property is in just one."""
+    grouped = [e.get("name") for e in definition.findall("PropertyGroup/Property")]
+    own = [e.get("name") for e in definition if "Vector" in e.tag and e.get("name") != "FileName"]
+    assert len(set(grouped)) == len(grouped) and set(grouped) <= set(own), f"{where}: {grouped}"
+    if grouped or len(own) > 3:
+        assert set(grouped) == set(own), f"{where}: in no group: {set(own) - set(grouped)}"
+    for element in definition.findall("PropertyGroup"):
+        assert element.get("label"), where
+
+
+def check_menu(definition, where):
+    menu = definition.find("Hints/ShowInMenu")
+    assert menu.get("category") == "FeatureHex", where
+    icon = definition.get("name") + ".svg"
+    assert menu.get("icon") == ":/FeatureHex/" + icon and icon in ICONS, where
+    ports = definition.findall("OutputPort")
+    assert [int(e.get("index")) for e in ports] == list(range(len(ports))), where
+    assert ports and all(e.get("name") for e in ports), f"{where}: outputs without names"
+    # Only the first output is shown by itself: the others would hide it. Sharp features don't.
+    hidden = [int(e.get("port")) for e in definition.findall("Hints/View[@type='None']")]
+    wanted = [] if definition.get("name") == "SurfaceFeature" else list(range(1, len(ports)))
+    assert hidden == wanted, f"{where}: {hidden}"
+
+
+def check_writer(definition, where):
+    """In File > Save Data; all it writes and asks is documented."""
+    factory = definition.find("Hints/WriterFactory")
+    assert factory.get("extensions") and factory.get("file_description"), where
+    documentation = definition.find("Documentation")
+    assert documentation.get("short_help") and documentation.get("long_help"), where
+    for element in definition:
+        if "Property" in element.tag:
+            assert element.find("Documentation") is not None, f"{where} {element.get('name')}"
+
+
 def check_proxy(group, definition):
     name = definition.get("name")
     where = f"{group}/{name}"
@@ -126,9 +168,12 @@ def check_proxy(group, definition):
         optional = bool(information.Get(vtkAlgorithm.INPUT_IS_OPTIONAL()))
         assert (element.find("Hints/Optional") is not None) == optional, f"{where} {port}"
         assert (element.get("null_on_empty") == "1") == optional, f"{where} {port}"
+    check_groups(definition, where)
+    if group == "sources":
+        factory = definition.find("Hints/ReaderFactory")
+        assert factory.get("extensions") and factory.get("file_description"), where
     if group == "filters":
-        menu = definition.find("Hints/ShowInMenu")
-        assert menu.get("category") == "FeatureHex", where
+        check_menu(definition, where)
         # Where the name of the class says it, the simple function makes it.
         assert callable(getattr(simple, words.replace(" ", ""))), where
     print(where, sorted(names))
@@ -147,6 +192,8 @@ for path in sorted(glob.glob(os.path.join(RESOURCES, "*.xml"))):
                 assert writer, child.get("name")
                 writer.UpdateVTKObjects()
                 documented(writer, child.get("name"))
+                if section.get("name") == "writers":
+                    check_writer(child, child.get("name"))
                 seen.add(child.get("class"))
 
 # No filter of the pipeline is left out.

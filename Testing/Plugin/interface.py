@@ -15,6 +15,7 @@ install tree. Steps are collected, then played one after another by ParaView's o
 
 Names of widgets: Tools > Record Test in ParaView writes the events of what one does.
 """
+import glob
 import os
 import shutil
 import signal
@@ -30,8 +31,8 @@ WIDTH, HEIGHT = 1400, 900
 WINDOW = "pqClientMainWindow"
 CONSOLE = WINDOW + "/pythonShellDock/pythonShell/consoleWidget"
 PANEL = WINDOW + "/propertiesDock/propertiesPanel"
-# Seconds for one start of ParaView; the longest test takes a tenth.
-TIME_LIMIT = 120
+# Seconds for one start of ParaView; 20 are needed on a machine that is not busy.
+TIME_LIMIT = 240
 # Of the view, where nothing is drawn.
 BACKGROUND = (82, 87, 110)
 
@@ -58,11 +59,10 @@ def missing():
 
 
 def install(prefix):
-    """Installs the build tree; the folder for PV_PLUGIN_PATH."""
+    """Installs the build tree."""
     subprocess.run([os.environ["FEATUREHEX_CMAKE"], "--install",
                     os.environ["FEATUREHEX_BINARY_DIR"], "--prefix", prefix],
                    check=True, stdout=subprocess.DEVNULL)
-    return os.path.join(prefix, os.environ["FEATUREHEX_PLUGIN_SUBDIR"])
 
 
 def read_dump(path):
@@ -77,25 +77,42 @@ def read_dump(path):
     return rows[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1].copy()
 
 
+def few_colours(image):
+    """The image in at most 256 colours, the background exactly: indices and palette."""
+    background = (image == BACKGROUND).all(axis=2, keepdims=True)
+    rough = numpy.where(background, image, image // 8 * 8 + 4).astype(int)
+    codes = rough[:, :, 0] << 16 | rough[:, :, 1] << 8 | rough[:, :, 2]
+    found, inverse, counts = numpy.unique(codes, return_inverse=True, return_counts=True)
+    kept = numpy.argsort(-counts, kind="stable")[:256]
+    colours = numpy.stack([found >> 16, found >> 8 & 255, found & 255], axis=1)
+    nearest = ((colours[:, None] - colours[kept][None]) ** 2).sum(axis=2).argmin(axis=1)
+    indices = nearest[inverse].reshape(codes.shape)
+    # A colour is the mean of what it stands for.
+    palette = numpy.array([image[indices == i].mean(axis=0).round() for i in range(len(kept))])
+    return indices.astype(numpy.uint8), palette.astype(numpy.uint8)
+
+
 def write_png(path, image):
-    """PNG of rows from above, RGB."""
+    """PNG of rows from above, RGB, with a palette."""
     def chunk(name, content):
         body = name + content
         return struct.pack(">I", len(content)) + body + struct.pack(">I", zlib.crc32(body))
 
-    height, width = image.shape[:2]
-    rows = b"".join(b"\0" + row.tobytes() for row in image.astype(numpy.uint8))
+    indices, palette = few_colours(image)
+    rows = b"".join(b"\0" + row.tobytes() for row in indices)
     with open(path, "wb") as file:
         file.write(b"\x89PNG\r\n\x1a\n"
-                   + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
+                   + chunk(b"IHDR", struct.pack(">IIBBBBB", *image.shape[1::-1], 8, 3, 0, 0, 0))
+                   + chunk(b"PLTE", palette.tobytes())
                    + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
 def view_of(image):
-    """The part of a screenshot that is the view, which must show some of its background."""
-    rows, columns = numpy.nonzero((image == BACKGROUND).all(axis=2))
-    assert len(rows) > 1000, "no view to be seen"
-    return image[rows.min():rows.max() + 1, columns.min():columns.max() + 1]
+    """The part of a screenshot that is the view; few pixels elsewhere have its colour, too."""
+    background = (image == BACKGROUND).all(axis=2)
+    rows = numpy.flatnonzero(background.sum(axis=1) > 100)
+    columns = numpy.flatnonzero(background.sum(axis=0) > 100)
+    return image[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
 
 
 def play(command, variables):
@@ -164,6 +181,17 @@ class Interface:
         """Filters > FeatureHex."""
         self.menu("menuFilters/FeatureHex", name)
 
+    def select(self, *rows):
+        """A click in the Pipeline Browser; rows: of the source, below it of the filter, ..."""
+        path = "".join(f"/{row}:0" for row in (0, *rows))
+        for command, buttons in (("mousePress", 1), ("mouseRelease", 0)):
+            self.event(WINDOW + "/pipelineBrowserDock/pipelineBrowser", command,
+                       f"1,{buttons},0,50,5,{path}")
+
+    def macro(self, name):
+        """A macro of the plugin, which the user has imported."""
+        self.menu("menu_Macros", name)
+
     def apply(self):
         self.event(PANEL + "/Accept", "activate")
 
@@ -192,6 +220,12 @@ class Interface:
         write_png(os.path.join(self.folder, name + ".png"), image)
         return image
 
+    def document(self, name, picture):
+        """With FEATUREHEX_UPDATE_PICTURES=1 the screenshot becomes a picture of the documentation."""
+        if os.environ.get("FEATUREHEX_UPDATE_PICTURES"):
+            write_png(os.path.join(os.environ["FEATUREHEX_SOURCE_DIR"], "Filters", "Documentation",
+                                   "Pictures", picture + ".png"), self.image(name))
+
     def run(self, errors=0):
         """Plays the steps; what ParaView printed. errors: as many are expected in its messages."""
         script = os.path.join(self.folder, "events.xml")
@@ -204,7 +238,13 @@ class Interface:
         variables = {key: value for key, value in os.environ.items()
                      if key not in ("PYTHONPATH", "XDG_CONFIG_HOME", "DISPLAY")}
         with tempfile.TemporaryDirectory() as prefix:
-            variables.update(HOME=self.home, PV_PLUGIN_PATH=install(prefix), **self.variables)
+            install(prefix)
+            for macro in glob.glob(os.path.join(prefix, "share", "featurehex", "macros", "*.py")):
+                shutil.copy(macro, os.path.join(self.settings, "Macros"))
+            variables.update(
+                HOME=self.home,
+                PV_PLUGIN_PATH=os.path.join(prefix, os.environ["FEATUREHEX_PLUGIN_SUBDIR"]),
+                **self.variables)
             # Without -noreset the server goes away with its first client.
             code, output = play(
                 ["xvfb-run", "-a", "-s",

@@ -38,6 +38,14 @@ EXCEPTED_TEXTS = {
     "hexes, scaled Jacobian >=": "a model of a batch that went well",
     "featurehex: InvalidOption:": "the beginning of another text, taken off",
     "-screen 0 1280x1024x24 -noreset": "an option of Xvfb",
+    "Deviation / tolerance": "a title of a view",
+    "Scaled Jacobian": "a title of a view",
+    "Hex Quality": "a title of a view",
+    "boundary quads": "a title of an axis",
+    "hex quality": "a name of a link of cameras",
+    "Surface With Edges": "a value of a property of ParaView",
+    "Single Color": "a value of a property of ParaView",
+    "Feature Hex Mesher": "what nothing was found of, in another text",
 }
 # Of Python calls: text of --help.
 EXCEPTED_CALLS = {"add_argument", "_Parser", "ArgumentParser"}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSMFeatureHexInitializationHelper
+ * @brief Colour maps with meaningful ranges for the arrays of FeatureHex.
+ *
+ * ParaView has one colour map for each array name. When the first filter of FeatureHex is created,
+ * those of ScaledJacobian and DeviationOfTolerance are made, unless there are ones already: 0 to
+ * 1, whatever range the data of one mesh happen to have, so that the same colour means the same in
+ * all pictures; ParaView doesn't rescale them by itself. Bad hexes are violet and red, good ones
+ * green and blue; deviations turn from blue to red at the tolerance.
+ *
+ * In the XML of a proxy: @code <Hints><InitializationHelper
+ * class="vtkSMFeatureHexInitializationHelper"/></Hints> @endcode
+ */
+
+#ifndef vtkSMFeatureHexInitializationHelper_h
+#define vtkSMFeatureHexInitializationHelper_h
+
+#include "vtkFeatureHexServerManagerModule.h" // For export macro
+#include "vtkSMProxyInitializationHelper.h"
+
+class VTKFEATUREHEXSERVERMANAGER_EXPORT vtkSMFeatureHexInitializationHelper
+  : public vtkSMProxyInitializationHelper
+{
+public:
+  static vtkSMFeatureHexInitializationHelper* New();
+  vtkTypeMacro(vtkSMFeatureHexInitializationHelper, vtkSMProxyInitializationHelper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void PostInitializeProxy(
+    vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType initializationTimeStamp) override;
+
+protected:
+  vtkSMFeatureHexInitializationHelper();
+  ~vtkSMFeatureHexInitializationHelper() override;
+
+private:
+  vtkSMFeatureHexInitializationHelper(const vtkSMFeatureHexInitializationHelper&) = delete;
+  void operator=(const vtkSMFeatureHexInitializationHelper&) = delete;
+};
+
+#endif
