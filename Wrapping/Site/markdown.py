@@ -70,6 +70,10 @@ def convert(text: str, page: str) -> str:
     for i in range(0, len(parts), 2):
         part = parts[i]
         part = re.sub(r"`([^`]+)`", convert_code, part)
+        # A blank line or a picture in an item would end the list.
+        part = re.sub(r"\n\n( {3,})(?=[^\s*\d-])", r"\n\1<br>", part)
+        part = re.sub(r"^( +(?:<br>)?)!\[([^\]]+)\]\((?:\S*/)?(\S+)\)$",
+                      r'\1@image{inline} html \3 "\2"', part, flags=re.MULTILINE)
         part = re.sub(r"(?<!!)\[([^\]]+)\]\(([^)\s]+)\)",
                       lambda match: convert_link(match, page), part)
         part = re.sub(r"^(##+) (.*)$",
