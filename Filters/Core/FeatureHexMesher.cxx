@@ -33,12 +33,12 @@ constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 /// Of the wanted minimum scaled Jacobian: below, cells get finer.
 constexpr double AcceptableShare = 0.92;
-/// The same: below, however many cells that takes.
-constexpr double PoorShare = 0.8;
 constexpr double StuckBand = 0.05;       // above the minimum
-constexpr int MaximumQualityRounds = 3;
+constexpr int MaximumQualityRounds = 4;
+constexpr int MaximumFeatureRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
+constexpr std::size_t FewHexes = 10;      // may be refined at once in any case
 constexpr std::size_t ManyPlaces = 100; // of a broken promise: not a local flaw
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 /// Of the wanted minimum: below, curves that bound no patch are given up.
@@ -124,7 +124,7 @@ private:
   Outcome Validate(Status& status);
   Outcome FollowFeatures(Status& status);
   Outcome RaiseQuality(Status& status);
-  std::vector<Vec3> StuckPlaces() const;
+  std::vector<Index> StuckHexes() const;
   void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
@@ -684,7 +684,7 @@ Mesher::Outcome Mesher::FollowFeatures(Status& status)
 {
   this->KeepBest();
   if (!this->Enforced.Geometry() || this->Result.Validation.Features.AllCaptured() ||
-    ++this->FeatureRounds > MaximumQualityRounds)
+    ++this->FeatureRounds > MaximumFeatureRounds)
   {
     return Outcome::Done;
   }
@@ -717,12 +717,23 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   }
   if (++this->QualityRounds <= MaximumQualityRounds)
   {
-    const std::vector<Vec3> places = this->StuckPlaces();
-    const bool many = places.size() > StructuralShare * this->Body.Mesh.Hexes.size();
-    const bool poor = minimum < PoorShare * this->Options.MinimumScaledJacobian;
-    // Many: creases, finer cells would look the same; else not worth so many.
-    if (!many || (poor && !this->Enforced.Geometry()))
+    std::vector<Index> stuck = this->StuckHexes();
+    const double share = StructuralShare * static_cast<double>(this->Body.Mesh.Hexes.size());
+    // Many at creases: finer cells would look the same.
+    if (stuck.size() <= share || !this->Enforced.Geometry())
     {
+      stuck.resize(
+        std::min(stuck.size(), std::max(FewHexes, static_cast<std::size_t>(share))));
+      std::vector<Vec3> places;
+      for (Index h : stuck)
+      {
+        Vec3 center = Vec3::Zero();
+        for (Index v : this->Body.Mesh.Hexes[h])
+        {
+          center += 0.125 * this->Body.Mesh.Points[v];
+        }
+        places.push_back(this->Surface->Search().Closest(center).Point);
+      }
       const Outcome outcome = this->Refine("The worst hexes are stuck at a low scaled Jacobian",
         StatusCode::Validation, places, status);
       if (outcome == Outcome::Refine)
@@ -743,25 +754,22 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   return Outcome::Done;
 }
 
-/// On the surface near the hexes that hold the minimum down: the others below the wanted value had
-/// no chance to rise yet.
-std::vector<Vec3> Mesher::StuckPlaces() const
+/// The hexes that hold the minimum down, worst first: the others below the wanted value had no
+/// chance to rise yet.
+std::vector<Index> Mesher::StuckHexes() const
 {
-  const double level = this->Result.Validation.Quality.Minimum + StuckBand;
-  std::vector<Vec3> places;
-  for (std::size_t h = 0; h < this->Body.Mesh.Hexes.size(); ++h)
+  const std::vector<double>& qualities = this->Result.Validation.ScaledJacobians;
+  std::vector<Index> stuck;
+  for (Index h = 0; h < static_cast<Index>(qualities.size()); ++h)
   {
-    if (this->Result.Validation.ScaledJacobians[h] < level)
+    if (qualities[h] < this->Result.Validation.Quality.Minimum + StuckBand)
     {
-      Vec3 center = Vec3::Zero();
-      for (Index v : this->Body.Mesh.Hexes[h])
-      {
-        center += 0.125 * this->Body.Mesh.Points[v];
-      }
-      places.push_back(this->Surface->Search().Closest(center).Point);
+      stuck.push_back(h);
     }
   }
-  return places;
+  std::stable_sort(stuck.begin(), stuck.end(),
+    [&qualities](Index a, Index b) { return qualities[a] < qualities[b]; });
+  return stuck;
 }
 
 /// Sound quality counts first, then missed features, then quality.
