@@ -55,9 +55,9 @@ with tempfile.TemporaryDirectory() as folder:
                  "usr/lib/cmake/FeatureHex/FeatureHexConfig.cmake",
                  f"usr/share/doc/{name}/copyright"):
         assert (root / path).exists(), path
-    # ParaView looks for plugins beside its programs.
-    plugin = root / "usr" / "bin" / "plugins" / "FeatureHex" / "FeatureHex.so"
-    assert plugin.exists() == WITH_PARAVIEW, plugin
+    # ParaView looks for plugins and macros beside its programs.
+    for path in ("plugins/FeatureHex/FeatureHex.so", "Macros/HexCutView.py"):
+        assert (root / "usr" / "bin" / path).exists() == WITH_PARAVIEW, path
     # Nothing of the package remembers where it was built.
     for path in tree.rglob("*"):
         if path.is_file() and path.suffix == ".so":
