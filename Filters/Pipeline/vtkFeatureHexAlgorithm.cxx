@@ -9,9 +9,11 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -67,6 +69,21 @@ int RequestedPiece(vtkInformation* request, vtkInformationVector* outputs)
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   return info->Has(Pipeline::UPDATE_PIECE_NUMBER()) ? info->Get(Pipeline::UPDATE_PIECE_NUMBER())
                                                     : 0;
+}
+
+/// ParaView's VTK does everything on one thread unless told otherwise: there, all cores for @a work.
+template <typename Work>
+void OnAllCores(const Work& work)
+{
+#if VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL
+  if (vtkSMPTools::GetBackend() == std::string("Sequential") &&
+    !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(0, "STDThread", false), work);
+    return;
+  }
+#endif
+  work();
 }
 } // namespace
 
@@ -137,7 +154,7 @@ int vtkFeatureHexAlgorithm::RequestData(
   featurehex::AlgorithmMonitor monitor(this);
   try
   {
-    status = this->Compute(inputs, outputs, monitor);
+    OnAllCores([&] { status = this->Compute(inputs, outputs, monitor); });
     // A time limit is for Compute() to judge: the composite may have a valid mesh by then.
     if (status.Ok() && monitor.StopStatus().Code == featurehex::StatusCode::Aborted)
     {

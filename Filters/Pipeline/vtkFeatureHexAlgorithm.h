@@ -18,8 +18,10 @@
  * <b>Parallel pieces:</b> a mesh can't be made of a piece of a surface. Piece 0 asks for the whole
  * input and has the whole output; the output of other pieces is empty.
  *
- * <b>Threads and determinism:</b> vtkSMPTools with the backend that is set; the same bits for any
- * number of threads. Inputs are never modified.
+ * <b>Threads and determinism:</b> vtkSMPTools with the backend that is set. Where that is the
+ * Sequential one of ParaView's VTK, and the environment variable VTK_SMP_BACKEND_IN_USE didn't
+ * choose it, STDThread with all cores while the filter runs. The same bits for any number of
+ * threads. Inputs are never modified.
  */
 
 #ifndef vtkFeatureHexAlgorithm_h

@@ -9,12 +9,9 @@ import sys
 
 from paraview.simple import *
 from paraview import servermanager
-from vtkmodules.vtkCommonCore import vtkSMPTools
 
 plugin, surface_file, mesh_file = sys.argv[1:4]
 LoadPlugin(plugin, ns=globals())
-# ParaView's default is one thread.
-vtkSMPTools.SetBackend("STDThread")
 
 surface = OpenDataFile(surface_file)
 mesher = FeatureHexMesher(Input=surface)

@@ -8,10 +8,6 @@ import sys
 
 from paraview import servermanager
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkSMPTools
-
-# ParaView's default is one thread.
-vtkSMPTools.SetBackend("STDThread")
 
 parts, meshes = map(pathlib.Path, sys.argv[1:3])
 meshes.mkdir(exist_ok=True)

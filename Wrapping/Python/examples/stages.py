@@ -11,7 +11,6 @@ import sys
 
 from paraview.simple import *
 from paraview import servermanager
-from vtkmodules.vtkCommonCore import vtkSMPTools
 
 TOLERANCE = 0.01
 ROUNDS = 8
@@ -51,8 +50,6 @@ def round_of_stages(surface, features, refinement):
 
 plugin, surface_file, mesh_file = sys.argv[1:4]
 LoadPlugin(plugin, ns=globals())
-# ParaView's default is one thread.
-vtkSMPTools.SetBackend("STDThread")
 
 checked = SurfaceFeature(
     Input=OpenDataFile(surface_file), PreserveFeatures="--no-features" not in sys.argv)
