@@ -22,7 +22,7 @@ struct ImprovementOptions
   double Tolerance = 0.005;
   /// Sampled distances stay below this share of the tolerance, so that the certified bound of all
   /// points, not only of the samples, stays below the tolerance.
-  double EnvelopeShare = 0.94;
+  double EnvelopeShare = 0.93;
   int MaximumRounds = 8;
   int MaximumPatches = 40; ///< per round
   /// Feature vertices that are locked slide on their features only; others are put there as soon as
