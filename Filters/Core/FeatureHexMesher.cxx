@@ -13,6 +13,7 @@
 #include "HexUntangling.h"
 #include "OctreeDual.h"
 #include "ProvenFitting.h"
+#include "QualityHistogram.h"
 #include "StageCheck.h"
 #include "SurfaceSizing.h"
 #include "WindingNumber.h"
@@ -38,7 +39,7 @@ constexpr int MaximumQualityRounds = 4;
 constexpr int MaximumFeatureRounds = 3;
 constexpr int PatientRounds = 3; // in which a feature may fail before it is given up
 constexpr double StructuralShare = 0.002; // of the hexes near the minimum: not a local flaw
-constexpr std::size_t FewHexes = 10;      // may be refined at once in any case
+constexpr Index FewHexes = 10;            // may be refined at once in any case
 constexpr std::size_t ManyPlaces = 100; // of a broken promise: not a local flaw
 constexpr double BeyondShare = 0.95; // of the tolerance: samples see less than the proof
 /// Of the wanted minimum: below, curves that bound no patch are given up.
@@ -124,7 +125,7 @@ private:
   Outcome Validate(Status& status);
   Outcome FollowFeatures(Status& status);
   Outcome RaiseQuality(Status& status);
-  std::vector<Index> StuckHexes() const;
+  Index CountStuckHexes() const;
   void KeepBest();
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
@@ -316,7 +317,9 @@ void Mesher::PrepareSizing()
 }
 
 /// Adds refinement points one level below the cells at @a places. When nothing can be refined there
-/// any more, or rounds run out, all cells are halved, once; then it fails with @a reason.
+/// any more, or rounds run out, without a valid mesh, the grid is no longer fitted to flat faces,
+/// once (at once where a promise is broken at many places); then all cells are halved, once; then it
+/// fails with @a reason.
 Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   const std::vector<Vec3>& places, Status& status)
 {
@@ -717,15 +720,15 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   }
   if (++this->QualityRounds <= MaximumQualityRounds)
   {
-    std::vector<Index> stuck = this->StuckHexes();
-    const double share = StructuralShare * static_cast<double>(this->Body.Mesh.Hexes.size());
+    const Index stuck = this->CountStuckHexes();
+    const Index share = static_cast<Index>(
+      StructuralShare * static_cast<double>(this->Body.Mesh.Hexes.size()));
     // Many at creases: finer cells would look the same.
-    if (stuck.size() <= share || !this->Enforced.Geometry())
+    if (stuck <= share || !this->Enforced.Geometry())
     {
-      stuck.resize(
-        std::min(stuck.size(), std::max(FewHexes, static_cast<std::size_t>(share))));
       std::vector<Vec3> places;
-      for (Index h : stuck)
+      for (Index h : SmallestValues(this->Result.Validation.ScaledJacobians,
+             std::min(stuck, std::max(FewHexes, share))))
       {
         Vec3 center = Vec3::Zero();
         for (Index v : this->Body.Mesh.Hexes[h])
@@ -754,22 +757,13 @@ Mesher::Outcome Mesher::RaiseQuality(Status& status)
   return Outcome::Done;
 }
 
-/// The hexes that hold the minimum down, worst first: the others below the wanted value had no
-/// chance to rise yet.
-std::vector<Index> Mesher::StuckHexes() const
+/// Hexes that hold the minimum down: the others below the wanted value had no chance to rise yet.
+Index Mesher::CountStuckHexes() const
 {
+  const double level = this->Result.Validation.Quality.Minimum + StuckBand;
   const std::vector<double>& qualities = this->Result.Validation.ScaledJacobians;
-  std::vector<Index> stuck;
-  for (Index h = 0; h < static_cast<Index>(qualities.size()); ++h)
-  {
-    if (qualities[h] < this->Result.Validation.Quality.Minimum + StuckBand)
-    {
-      stuck.push_back(h);
-    }
-  }
-  std::stable_sort(stuck.begin(), stuck.end(),
-    [&qualities](Index a, Index b) { return qualities[a] < qualities[b]; });
-  return stuck;
+  return static_cast<Index>(std::count_if(
+    qualities.begin(), qualities.end(), [level](double quality) { return quality < level; }));
 }
 
 /// Sound quality counts first, then missed features, then quality.

@@ -15,8 +15,8 @@ constexpr int SnapSweeps = 40;     // attempts to put feature vertices on their 
 constexpr double SnapGrowth = 1.5; // of the weight of features per attempt ...
 constexpr double SnapWeight = 1e6; // ... up to this
 constexpr double SnapNear = 0.02;  // local sizes: nearer vertices are put on their features ...
-constexpr double InPlace = 1e-9;   // local sizes: a fixed vertex is on its feature
 constexpr int SnapFarStart = 25;   // ... and, after so many attempts, all others
+constexpr double InPlace = 1e-9;   // local sizes: a fixed vertex is on its feature
 constexpr int SnapTrials = 4;      // halvings of one such move
 constexpr int PatientSweeps = 6;   // without success
 

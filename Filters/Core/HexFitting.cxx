@@ -19,11 +19,7 @@ Status FitHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry& sur
   Monitor& monitor)
 {
   HexOptimizer optimizer(mesh, stars);
-  if (options.Changed)
-  {
-    std::transform(options.Changed->begin(), options.Changed->end(), optimizer.Fixed.begin(),
-      [](char changed) { return !changed; });
-  }
+  optimizer.FixUnchanged(options.Changed);
   SurfaceTerms terms(mesh, stars, surface, features);
   const double threshold = ReverseThreshold * options.Tolerance * surface.Diagonal();
   double weight = options.InitialWeight;

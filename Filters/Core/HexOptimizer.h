@@ -70,6 +70,15 @@ public:
   /// Vertices that must not move.
   std::vector<bool> Fixed;
 
+  /// Fix those that are 0 in @a changed; null: none.
+  void FixUnchanged(const std::vector<char>* changed)
+  {
+    for (std::size_t v = 0; changed && v < changed->size(); ++v)
+    {
+      this->Fixed[v] = this->Fixed[v] || !(*changed)[v];
+    }
+  }
+
   bool AllFixed(const Quad& quad) const
   {
     return this->Fixed[quad[0]] && this->Fixed[quad[1]] && this->Fixed[quad[2]] &&

@@ -128,9 +128,9 @@ Status Untangler::Run(const SurfaceGeometry* surface)
 {
   for (std::size_t v = 0; v < this->Mesh.Points.size(); ++v)
   {
-    this->Optimizer.Fixed[v] = (!surface && this->Stars.OnBoundary(static_cast<Index>(v))) ||
-      (this->Options.Changed && !(*this->Options.Changed)[v]);
+    this->Optimizer.Fixed[v] = !surface && this->Stars.OnBoundary(static_cast<Index>(v));
   }
+  this->Optimizer.FixUnchanged(this->Options.Changed);
   for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
   {
     this->Report.Hopeless += this->Optimizer.Hopeless(static_cast<Index>(h)) ? 1 : 0;

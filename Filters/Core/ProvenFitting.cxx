@@ -78,8 +78,9 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   {
     return monitor.StopStatus();
   }
-  return report.Places.empty() ? this->ImproveAndProve(mesh, stars, features, changed, report, monitor)
-                               : Status();
+  return report.Places.empty()
+    ? this->ImproveAndProve(mesh, stars, features, changed, report, monitor)
+    : Status();
 }
 
 Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
