@@ -17,15 +17,20 @@ def say(text=""):
     print(text, file=sys.stderr, flush=True)
 
 
-def build_featurehex():
+# Of the build: the Python package.
+PACKAGE_TARGETS = ("FeatureHexPython", "FeatureHexPythonFiles", "FeatureHexUpdateAlgorithm")
+
+
+def build_featurehex(*further_targets):
     """The executable of the plain VTK build; builds what changed."""
     folder = os.path.join(TOP, "build", "vtk")
     subprocess.run([os.path.join(TOP, "Wrapping", "setup"), "mesh"], check=True, stdout=sys.stderr)
     if not os.path.exists(os.path.join(folder, "build.ninja")):
         subprocess.run(["cmake", "--preset", "vtk", "-Wno-dev", "--log-level=WARNING"], check=True,
                        cwd=TOP, stdout=sys.stderr)
-    subprocess.run(["cmake", "--build", "--preset", "vtk", "--target", "featurehex", "--", "--quiet"],
-                   check=True, cwd=TOP, stdout=sys.stderr)
+    subprocess.run(["cmake", "--build", "--preset", "vtk", "--target", "featurehex",
+                    *further_targets, "--", "--quiet"], check=True, cwd=TOP,
+                   stdout=sys.stderr)
     return os.path.join(folder, "bin", "featurehex")
 
 

@@ -7,8 +7,6 @@ import os
 import interface
 import numpy
 from interface import Interface
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 
 SOURCE = os.environ["FEATUREHEX_SOURCE_DIR"]
 PICTURES = os.path.join(SOURCE, "Filters", "Documentation", "Pictures")
@@ -46,15 +44,6 @@ simple.Show(simple.OutputPort(mesh, 3), sheet)
 simple.SetActiveSource(simple.OutputPort(mesh, 3))
 simple.Render(sheet)
 """
-
-
-def read_png(path):
-    reader = vtkPNGReader()
-    reader.SetFileName(path)
-    reader.Update()
-    columns, rows, _ = reader.GetOutput().GetDimensions()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-    return pixels.reshape(rows, columns, -1)[::-1, :, :3]
 
 
 def differences(image, wanted):
@@ -95,7 +84,7 @@ def main():
         path = os.path.join(PICTURES, f"tutorial-{name}.png")
         if os.environ.get("FEATUREHEX_UPDATE"):
             interface.write_png(path, image)
-        wanted = read_png(path)
+        wanted = interface.read_png(path)
         assert wanted.shape == image.shape, name
         # Lists, buttons and numbers are drawn with the fonts of the machine; the view is not.
         shape, colour = differences(interface.view_of(image), interface.view_of(wanted))

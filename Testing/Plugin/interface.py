@@ -26,6 +26,8 @@ import zlib
 from xml.sax.saxutils import quoteattr
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 WIDTH, HEIGHT = 1400, 900
 WINDOW = "pqClientMainWindow"
@@ -85,6 +87,16 @@ def few_colours(image):
     found, inverse, counts = numpy.unique(codes, return_inverse=True, return_counts=True)
     kept = numpy.argsort(-counts, kind="stable")[:256]
     colours = numpy.stack([found >> 16, found >> 8 & 255, found & 255], axis=1)
+
+    def distance(place):
+        return ((colours - colours[place]) ** 2).sum(axis=1)
+
+    # The most frequent, then those that the ones before stand for worst.
+    kept = list(numpy.argsort(-counts, kind="stable")[:160])
+    distances = numpy.min([distance(place) for place in kept], axis=0)
+    while len(kept) < 256 and distances.any():
+        kept.append(int((distances * numpy.sqrt(counts)).argmax()))
+        distances = numpy.minimum(distances, distance(kept[-1]))
     nearest = ((colours[:, None] - colours[kept][None]) ** 2).sum(axis=2).argmin(axis=1)
     indices = nearest[inverse].reshape(codes.shape)
     # A colour is the mean of what it stands for.
@@ -105,6 +117,16 @@ def write_png(path, image):
                    + chunk(b"IHDR", struct.pack(">IIBBBBB", *image.shape[1::-1], 8, 3, 0, 0, 0))
                    + chunk(b"PLTE", palette.tobytes())
                    + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
+
+
+def read_png(path):
+    """Pixels of a PNG, rows from above, RGB."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return pixels.reshape(rows, columns, -1)[::-1, :, :3]
 
 
 def view_of(image):

@@ -115,7 +115,7 @@ def main(folder):
     row = table(out)["sub/cube_mixed"]
     assert [row[kind + "_captured"] for kind in ("corners", "curves", "patches")] == [
         "8", "12", "6"], row
-    assert "12 of 12" in Page(os.path.join(out, "index.html")).words
+    assert "12 / 12" in Page(os.path.join(out, "index.html")).words
 
 
 def interruptions(folder):

@@ -1,22 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page of a batch in a browser, where there is Chromium: everything is seen, nothing is asked
 from elsewhere, and a narrow window needs no scrolling sideways."""
-import json
 import os
-import re
-import shutil
-import subprocess
 import tempfile
-from pathlib import Path
 
+import browser
 import numpy
 from batches import CAN_DRAW, FAST, GOOD, NAMES, make_models, run
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-# Asks the browser what it made of the page.
-QUESTIONS = """<pre id="answers"></pre><script>
-addEventListener("load", () => { document.getElementById("answers").textContent = JSON.stringify({
+QUESTION = """{
   mode: document.compatMode,
   images: [...document.images].map(image => [image.complete, image.naturalWidth, image.width]),
   charts: [...document.querySelectorAll("svg")].map(chart => [
@@ -25,35 +19,12 @@ addEventListener("load", () => { document.getElementById("answers").textContent 
       const inner = text.getBoundingClientRect(), outer = chart.getBoundingClientRect();
       return inner.left >= outer.left - 1 && inner.right <= outer.right + 1 &&
         inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1; })]),
-  rows: [...document.querySelectorAll("table:last-of-type tbody tr")].map(row => row.cells.length),
-  heads: [...document.querySelectorAll("table:last-of-type thead th")].length,
+  rows: [...document.querySelectorAll("div table tbody tr")].map(row => row.cells.length),
+  heads: [...document.querySelectorAll("div table thead th")].length,
   wide: document.documentElement.scrollWidth, window: innerWidth,
   loaded: performance.getEntriesByType("resource").filter(
     entry => !entry.name.startsWith("data:")).length,
-  text: document.body.innerText }); });
-</script></body>"""
-
-
-def browse(browser, folder, *options):
-    done = subprocess.run(
-        [browser, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-         "--user-data-dir=" + os.path.join(folder, "profile"), *options],
-        env={**os.environ, "HOME": folder}, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        timeout=120, text=True, check=False)
-    assert done.returncode == 0, done.stderr[-2000:].replace("ERROR:", "error ")
-    return done.stdout
-
-
-def answers(browser, folder, page, width):
-    copy = Path(page).with_name("questions.html")
-    copy.write_text(Path(page).read_text(encoding="utf-8").replace("</body>", QUESTIONS),
-                    encoding="utf-8")
-    dom = browse(browser, folder, "--window-size=%d,900" % width, "--virtual-time-budget=5000",
-                 "--dump-dom", copy.as_uri())
-    found = re.search(r'<pre id="answers">(.*?)</pre>', dom, re.DOTALL).group(1)
-    for code, character in (("&lt;", "<"), ("&gt;", ">"), ("&amp;", "&")):
-        found = found.replace(code, character)
-    return json.loads(found)
+  text: document.body.innerText }"""
 
 
 def check(seen):
@@ -80,23 +51,19 @@ def check_screenshot(path):
     assert bars > 1000 and colours > (30 if CAN_DRAW else 5), (bars, colours)
 
 
-BROWSERS = ("chromium", "chromium-browser", "google-chrome")
-browser = next(filter(None, map(shutil.which, BROWSERS)), "")
-if browser:
+if browser.find():
     with tempfile.TemporaryDirectory() as place:
         models, out = os.path.join(place, "models"), os.path.join(place, "out")
         make_models(models)
         run(1, models, out, *FAST)
         page = os.path.join(out, "index.html")
         for width in (1280, 800):
-            seen = answers(browser, place, page, width)
+            seen = browser.ask(page, width, QUESTION)
             check(seen)
             assert seen["wide"] <= seen["window"] == width, (seen["wide"], seen["window"], width)
-        picture = os.path.join(place, "page.png")
-        browse(browser, place, "--window-size=1280,2400", "--screenshot=" + picture,
-               Path(page).as_uri())
+        picture = os.path.join(os.environ["FEATUREHEX_TEMPORARY_DIR"], "batch-page.png")
+        browser.screenshot(page, picture, 1280, 2400)
         check_screenshot(picture)
-        shutil.copy(picture, os.path.join(os.environ["FEATUREHEX_TEMPORARY_DIR"], "batch-page.png"))
-        print("seen by", browser)
+        print("seen by", browser.find())
 else:
-    print("Not tested: there is no browser. The Debian package chromium brings one (400 MB).")
+    print("Not tested:", browser.MISSING)

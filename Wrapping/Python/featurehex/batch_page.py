@@ -26,18 +26,20 @@ COLUMNS += [kind + suffix for kind in KINDS for suffix in ("", "_captured")] + [
 
 _BAR, _AXIS = "#3b6ea5", "#555"
 _STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; color: #222; margin: 2em auto; max-width: 75em;
+body { font: 15px/1.45 system-ui, sans-serif; color: #222; margin: 2em auto; max-width: 80em;
   padding: 0 1em; }
 h1 { font-size: 1.6em; margin-bottom: 0; } h2 { font-size: 1.2em; margin-top: 2em; }
-.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(24em, 1fr)); gap: 1em;
-  max-width: 62em; }
+.charts { display: grid; gap: 1.5em; margin-top: 1.5em;
+  grid-template-columns: repeat(auto-fit, minmax(min(30em, 100%), 1fr)); }
 figure { margin: 0; } figcaption { color: #555; text-align: center; }
 svg { width: 100%; height: auto; }
 table { border-collapse: collapse; width: 100%; }
-th, td { padding: .3em .6em; border-bottom: 1px solid #ddd; text-align: right; }
+th, td { padding: .3em .5em; border-bottom: 1px solid #ddd; text-align: right; }
 thead th { vertical-align: bottom; border-bottom: 2px solid #888; }
 th:first-child, td:first-child, th.words, td.words { text-align: left; }
-tbody th { font-weight: normal; } td img { display: block; }
+tbody th { font-weight: normal; } td { white-space: nowrap; } td.words { white-space: normal; }
+.wide { overflow-x: auto; } .wide tbody th { overflow-wrap: anywhere; min-width: 9em; }
+td img { display: block; }
 .bad { color: #a01020; } .note { color: #555; }
 .scale { display: inline-block; width: 12em; height: .8em; vertical-align: middle;
   background: linear-gradient(to right, #660066, #bf0d26, #e6661a, #facc40,
@@ -96,12 +98,15 @@ def write_page(settings: Settings, names: Sequence[str], reports: Dict[str, Repo
              "<style>%s</style>" % _STYLE, "</head>", "<body>",
              "<h1>%d of %d models have a valid mesh</h1>" % (len(good), len(names)),
              "<p class=\"note\">%s</p>" % _escape(_subtitle(settings, len(names) - len(rows)))]
-    if good:
-        parts += [_summary(good), "<h2>Quality</h2>", _histograms(good)]
     if failed:
-        parts += ["<h2 id=\"failed\">Without a mesh</h2>", _failures(failed)]
+        parts += ["<h2 id=\"failed\">Without a mesh</h2>", _reasons(failed)]
+    missed = [row for row in good if row.get("error")]
+    if missed:
+        parts += ["<h2 id=\"missed\">Sharp features missed</h2>", _reasons(missed)]
+    if good:
+        parts += ["<h2>Quality</h2>", _summary(good), _histograms(good)]
     if rows:
-        parts += ["<h2>All models</h2>", _models(settings, rows)]
+        parts += ["<h2 id=\"models\">All models</h2>", _models(settings, rows)]
     parts += ["</body>", "</html>"]
     write(os.path.join(settings.output, "index.html"), "\n".join(parts) + "\n")
 
@@ -138,14 +143,25 @@ def _summary(good: List[Row]) -> str:
             "<tbody>%s</tbody></table>" % "\n".join(lines))
 
 
-def _failures(failed: List[Row]) -> str:
+def _reasons(rows: List[Row]) -> str:
+    """Why models have no mesh, or which sharp features theirs miss."""
     lines = ["<tr><th scope=\"row\"><a href=\"#%s\">%s</a></th><td class=\"words\">%s</td>"
              "<td class=\"words\">%s</td></tr>" % (
-                 _anchor(row["name"]), _escape(row["name"]), _escape(row["status"]),
-                 _escape(row["error"])) for row in failed]
-    return ("<table><thead><tr><th scope=\"col\">Model</th><th scope=\"col\" class=\"words\">Code"
-            "</th><th scope=\"col\" class=\"words\">Why, and what to do</th></tr></thead>\n"
-            "<tbody>%s</tbody></table>" % "\n".join(lines))
+                 _anchor(row["name"]), _escape(row["name"]), _escape(_outcome(row)),
+                 _escape(row["error"].replace("missed: ", ""))) for row in rows]
+    heads = ("Captured", "Which") if rows[0]["status"] == "Ok" else ("Code", "Why, and what to do")
+    return ("<table><thead><tr><th scope=\"col\">Model</th>%s</tr></thead>\n"
+            "<tbody>%s</tbody></table>" % (
+                "".join("<th scope=\"col\" class=\"words\">%s</th>" % head for head in heads),
+                "\n".join(lines)))
+
+
+def _outcome(row: Row) -> str:
+    """In a word: the code of an error, or how many features are captured."""
+    if row["status"] != "Ok":
+        return str(row["status"])
+    return "%d of %d" % (sum(row[kind + "_captured"] for kind in KINDS),
+                         sum(row[kind] for kind in KINDS))
 
 
 def _models(settings: Settings, rows: List[Row]) -> str:
@@ -157,9 +173,12 @@ def _models(settings: Settings, rows: List[Row]) -> str:
         "<p>MSJ, ASJ: least and mean of the hexes' scaled Jacobians, each the least of its 8 "
         "corners. HR: Hausdorff distance between mesh and surface, both ways, proven upper bound, "
         "in percent of the diagonal of the bounding box. Pictures: the mesh cut open, a hex "
-        "coloured by its scaled Jacobian, 0 <span class=\"scale\"></span> 1; without a mesh, the surface.%s"
-        "</p>\n<table><thead><tr>%s</tr></thead>\n<tbody>%s</tbody></table>" % (
-            " Corners, curves, patches: captured one to one, of those asked for."
+        "coloured by its scaled Jacobian, 0 <span class=\"scale\"></span> 1; without a mesh, the "
+        "surface."
+        "%s"
+        "</p>\n<div class=\"wide\"><table><thead><tr>%s</tr></thead>\n"
+        "<tbody>%s</tbody></table></div>" % (
+            " Corners, curves, patches: captured one to one / asked for."
             if with_features else "",
             "".join("<th scope=\"col\"%s>%s</th>" % (
                 " class=\"words\"" if head == "Model" else "", head) for head in heads),
@@ -186,7 +205,7 @@ def _model(settings: Settings, row: Row, with_features: bool) -> str:
         wanted, met = row.get(kind), row.get(kind + "_captured")
         cells.append("<td%s>%s</td>" % (
             " class=\"bad\"" if met != wanted else "",
-            "" if wanted is None else "%d of %d" % (met, wanted)))
+            "" if wanted is None else "%d / %d" % (met, wanted)))
     return "<tr id=\"%s\">%s</tr>" % (_anchor(name), "".join(cells))
 
 
