@@ -18,7 +18,8 @@ def say(text=""):
 
 
 # Of the build: the Python package.
-PACKAGE_TARGETS = ("FeatureHexPython", "FeatureHexPythonFiles", "FeatureHexUpdateAlgorithm")
+PACKAGE_TARGETS = ("vtkFeatureHexIOPython", "vtkFeatureHexPipelinePython",
+                   "FeatureHexPythonFiles", "FeatureHexUpdateAlgorithm")
 
 
 def build_featurehex(*further_targets):
