@@ -3,11 +3,13 @@
 
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVXMLElement.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMTransferFunctionManager.h"
 
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,58 @@ void MakeColorMap(const ColorMap& map, vtkSMSessionProxyManager* manager)
   vtkSMPropertyHelper(colors, "AboveRangeColor").Set(BeyondColor, 3);
   colors->UpdateVTKObjects();
 }
+
+/// What an input property is connected to, nullptr without.
+vtkSMProxy* InputOf(vtkSMProxy* proxy, const char* property)
+{
+  vtkSMPropertyHelper helper(proxy, property, true);
+  return helper.GetNumberOfElements() > 0 ? helper.GetAsProxy() : nullptr;
+}
+
+/// Filters of FeatureHex leave the mesh where its surface is; others may move or cut it.
+bool IsOurs(vtkSMProxy* proxy)
+{
+  vtkPVXMLElement* hints = proxy->GetHints();
+  vtkPVXMLElement* menu = hints ? hints->FindNestedElementByName("ShowInMenu") : nullptr;
+  const char* category = menu ? menu->GetAttribute("category") : nullptr;
+  return category && std::strcmp(category, "FeatureHex") == 0;
+}
+
+/// Surface and tolerance of a filter are those that its input was made from and with.
+void AdoptSurface(vtkSMProxy* filter)
+{
+  vtkSMProxy* source = InputOf(filter, "Surface") ? nullptr : InputOf(filter, "Input");
+  while (source && IsOurs(source))
+  {
+    const bool isMesher = std::strcmp(source->GetXMLName(), "FeatureHexMesher") == 0;
+    const char* property = isMesher ? "Input" : "Surface";
+    if (vtkSMProxy* surface = InputOf(source, property))
+    {
+      vtkSMPropertyHelper(filter, "Surface")
+        .Set(surface, vtkSMPropertyHelper(source, property).GetOutputPort());
+      if (source->GetProperty("Tolerance"))
+      {
+        vtkSMPropertyHelper(filter, "Tolerance")
+          .Set(vtkSMPropertyHelper(source, "Tolerance").GetAsDouble());
+      }
+      filter->UpdateVTKObjects();
+      return;
+    }
+    source = InputOf(source, "Input");
+  }
+}
+
+/// The features of a surface that comes from Surface Feature.
+void AdoptFeatures(vtkSMProxy* filter)
+{
+  constexpr unsigned int featurePort = 1;
+  vtkSMProxy* source = InputOf(filter, "Features") ? nullptr : InputOf(filter, "Input");
+  if (source && std::strcmp(source->GetXMLName(), "SurfaceFeature") == 0)
+  {
+    vtkSMPropertyHelper(filter, "Features").Set(source, featurePort);
+    filter->UpdateVTKObjects();
+  }
+}
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -72,11 +126,20 @@ vtkSMFeatureHexInitializationHelper::~vtkSMFeatureHexInitializationHelper() = de
 
 //------------------------------------------------------------------------------
 void vtkSMFeatureHexInitializationHelper::PostInitializeProxy(
-  vtkSMProxy* proxy, vtkPVXMLElement*, vtkMTimeType)
+  vtkSMProxy* proxy, vtkPVXMLElement* xml, vtkMTimeType)
 {
   for (const ColorMap& map : ColorMaps)
   {
     MakeColorMap(map, proxy->GetSessionProxyManager());
+  }
+  const char* adopted = xml ? xml->GetAttribute("adopt") : nullptr;
+  if (adopted && std::strcmp(adopted, "surface") == 0)
+  {
+    AdoptSurface(proxy);
+  }
+  else if (adopted && std::strcmp(adopted, "features") == 0)
+  {
+    AdoptFeatures(proxy);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSMFeatureHexInitializationHelper
- * @brief Colour maps with meaningful ranges for the arrays of FeatureHex.
+ * @brief Colour maps with meaningful ranges, and inputs that a new filter finds by itself.
  *
  * ParaView has one colour map for each array name. When the first filter of FeatureHex is created,
  * those of ScaledJacobian and DeviationOfTolerance are made, unless there are ones already: 0 to
@@ -9,8 +9,11 @@
  * all pictures; ParaView doesn't rescale them by itself. Bad hexes are violet and red, good ones
  * green and blue; deviations turn from blue to red at the tolerance.
  *
- * In the XML of a proxy: @code <Hints><InitializationHelper
- * class="vtkSMFeatureHexInitializationHelper"/></Hints> @endcode
+ * Nobody has to say again what a mesh was made from. In the XML of a proxy: @code
+ * <Hints><InitializationHelper class="vtkSMFeatureHexInitializationHelper" adopt="surface"/></Hints>
+ * @endcode adopt is optional; "surface": the inputs Surface and Tolerance are those of the filter
+ * that made the mesh, through any number of FeatureHex filters between them. "features": the input
+ * Features is that of the Surface Feature that the input comes from. What is given stays.
  */
 
 #ifndef vtkSMFeatureHexInitializationHelper_h

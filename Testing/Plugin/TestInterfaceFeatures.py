@@ -68,12 +68,12 @@ display.LineWidth = 5
 display.PointSize = 10
 simple.Render()
 """
-# By hand: Change Input of the mesher: its input Features is the output Features of the edited one.
+# The mesher has taken both outputs of the edited one.
 MESH = """
 edited = simple.FindSource("SurfaceFeature2")
 mesher = simple.GetActiveSource()
 assert mesher.GetXMLName() == "FeatureHexMesher"
-mesher.Features = simple.OutputPort(edited, 1)
+assert mesher.Features.SMProxy is edited.SMProxy and mesher.Features.Port == 1
 """
 DONE = """
 from paraview import servermanager

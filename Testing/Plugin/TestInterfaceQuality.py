@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is seen of the quality of a mesh in ParaView's window: colours, menu with icons, the chart of
-Hex Quality by Apply, and the macros."""
+Hex Quality by Apply, and the macros, imported as a user does it."""
 import os
 
 import interface
@@ -39,9 +39,13 @@ assert view.GetXMLName() == "XYBarChartView"
 chart = simple.GetDisplayProperties()
 assert chart.XArrayName == "bin_extents" and chart.SeriesVisibility[:] == ["Hexes"], (
     chart.XArrayName, chart.SeriesVisibility[:])
+# The surface is that of the mesh.
+quality = simple.GetActiveSource()
+assert quality.Surface is not None and 0 < quality.LargestDeviation <= 1, quality.LargestDeviation
 """)
     for macro, picture in (("HexCutView", "cut"), ("HexQualityView", "quality"),
                            ("HexFeatureView", "features")):
+        window.import_macro(macro)
         window.macro(macro)
         window.screenshot(picture)
     window.python("""

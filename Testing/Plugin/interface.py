@@ -15,7 +15,6 @@ install tree. Steps are collected, then played one after another by ParaView's o
 
 Names of widgets: Tools > Record Test in ParaView writes the events of what one does.
 """
-import glob
 import os
 import shutil
 import signal
@@ -168,7 +167,8 @@ class Interface:
         shutil.rmtree(self.folder, ignore_errors=True)
         self.home = os.path.join(self.folder, "home")
         self.settings = os.path.join(self.home, ".config", "ParaView")
-        os.makedirs(os.path.join(self.settings, "Macros"))
+        self.macros = os.path.join(self.folder, "macros")
+        os.makedirs(self.settings)
         self.failures = os.path.join(self.folder, "failures.txt")
         self.variables = variables
         self.events = []
@@ -210,8 +210,14 @@ class Interface:
             self.event(WINDOW + "/pipelineBrowserDock/pipelineBrowser", command,
                        f"1,{buttons},0,50,5,{path}")
 
+    def import_macro(self, name):
+        """Macros > Import New Macro; name: of a macro of the plugin."""
+        self.menu("menu_Macros", "actionMacroCreate")
+        self.event(WINDOW + "/FileOpenDialog", "filesSelected",
+                   os.path.join(self.macros, name + ".py"))
+
     def macro(self, name):
-        """A macro of the plugin, which the user has imported."""
+        """A macro that was imported."""
         self.menu("menu_Macros", name)
 
     def apply(self):
@@ -261,8 +267,7 @@ class Interface:
                      if key not in ("PYTHONPATH", "XDG_CONFIG_HOME", "DISPLAY")}
         with tempfile.TemporaryDirectory() as prefix:
             install(prefix)
-            for macro in glob.glob(os.path.join(prefix, "share", "featurehex", "macros", "*.py")):
-                shutil.copy(macro, os.path.join(self.settings, "Macros"))
+            shutil.copytree(os.path.join(prefix, "share", "featurehex", "macros"), self.macros)
             variables.update(
                 HOME=self.home,
                 PV_PLUGIN_PATH=os.path.join(prefix, os.environ["FEATUREHEX_PLUGIN_SUBDIR"]),

@@ -7,9 +7,10 @@ is given they take the active source, or the newest one that fits.
 
 from __future__ import annotations
 
+import math
 from typing import Any, Callable
 
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 WHITE = [1.0, 1.0, 1.0]
@@ -58,16 +59,15 @@ def quality_view(mesh: Any = None, surface: Any = None) -> Any:
     """A layout with the histograms of scaled Jacobian and deviation, the worst hexes in the mesh, and
     the boundary coloured by deviation. Returns the filter Hex Quality.
 
-    surface: without it the input of the Feature Hex Mesher that made the mesh.
+    surface: without it that of the FeatureHex filter that made the mesh, else the newest surface
+    with the bounding box of the mesh.
     """
     mesh = _find(mesh, _is_hex_mesh, "hex mesh: the output Mesh of Feature Hex Mesher, for example")
-    mesher = _proxy_of(mesh)
-    made_here = _is_mesher(mesher)
-    if surface is None and made_here:
-        surface = mesher.Input
-    quality = simple.HexQuality(registrationName="HexQuality", Input=mesh, Surface=surface)
-    if made_here:
-        quality.Tolerance = mesher.Tolerance
+    # It finds its surface where filters of ours made the mesh.
+    quality = simple.HexQuality(registrationName="HexQuality", Input=mesh)
+    if surface is None:
+        surface = quality.Surface if quality.Surface is not None else _surface_around(mesh)
+    quality.Surface = surface
     quality.UpdatePipeline()
     quality.UpdatePropertyInformation()
 
@@ -170,20 +170,41 @@ def _is_mesher(source: Any) -> bool:
     return source.GetXMLName() == "FeatureHexMesher"
 
 
+def _newest_first() -> list[Any]:
+    sources = simple.GetSources()
+    return [sources[name] for name in sorted(sources, key=lambda name: int(name[1]), reverse=True)]
+
+
 def _find(given: Any, fits: Callable[[Any], bool], what: str) -> Any:
     """What is given, else the active source, else the newest source that fits."""
     if given is not None:
         candidates = [given]
     else:
-        sources = simple.GetSources()
-        newest = sorted(sources, key=lambda name: int(name[1]), reverse=True)
         active = simple.GetActiveSource()
-        candidates = ([active] if active else []) + [sources[name] for name in newest]
+        candidates = ([active] if active else []) + _newest_first()
     for source in candidates:
         source.UpdatePipeline()
         if fits(source):
             return source
     raise RuntimeError("There is nothing to show. Needed is a " + what + ".")
+
+
+def _surface_around(mesh: Any) -> Any:
+    """The newest surface whose bounding box is that of the mesh, within 2 % of its diagonal; None."""
+
+    def box(source: Any) -> list[float]:
+        return list(source.GetDataInformation().GetBounds())
+
+    wanted = box(mesh)
+    allowed = 0.02 * math.dist(wanted[::2], wanted[1::2])
+    for source in _newest_first():
+        source.UpdatePipeline()
+        # Lines are polydata, too: nothing but the data says that there are triangles.
+        if (source.GetDataInformation().GetDataSetTypeAsString() == "vtkPolyData"
+                and all(abs(a - b) <= allowed for a, b in zip(box(source), wanted))
+                and servermanager.Fetch(source).GetNumberOfPolys() > 0):
+            return source
+    return None
 
 
 def _with_quality(mesh: Any) -> Any:
