@@ -9,11 +9,13 @@
  * all pictures; ParaView doesn't rescale them by itself. Bad hexes are violet and red, good ones
  * green and blue; deviations turn from blue to red at the tolerance.
  *
- * Nobody has to say again what a mesh was made from. In the XML of a proxy: @code
- * <Hints><InitializationHelper class="vtkSMFeatureHexInitializationHelper" adopt="surface"/></Hints>
- * @endcode adopt is optional; "surface": the inputs Surface and Tolerance are those of the filter
- * that made the mesh, through any number of FeatureHex filters between them. "features": the input
- * Features is that of the Surface Feature that the input comes from. What is given stays.
+ * Nobody has to say again what a mesh was made from. adopt="surface": the inputs Surface and
+ * Tolerance are those of the filter that made the mesh, through any number of FeatureHex filters
+ * between them. adopt="features": the input Features is that of the Surface Feature that the input
+ * comes from. What is given stays.
+ *
+ * In the XML of a proxy, where adopt is optional: @code <Hints><InitializationHelper
+ * class="vtkSMFeatureHexInitializationHelper" adopt="surface"/></Hints> @endcode
  */
 
 #ifndef vtkSMFeatureHexInitializationHelper_h

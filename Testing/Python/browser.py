@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
-MISSING = "there is no browser. The Debian package chromium brings one (400 MB)."
+MISSING = "there is no browser: Wrapping/setup browser installs Chromium (400 MB)."
 
 
 def find() -> str:
