@@ -490,7 +490,7 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
     }
     result.Target.LargestSlack = std::max(result.Target.LargestSlack, slack.back());
   }
-  result.Search = TriangleSearch(std::move(points), std::move(triangles));
+  result.Search = TriangleSearch(std::move(points), std::move(triangles), SearchBuild::Quick);
   result.Target.Search = &result.Search;
 }
 

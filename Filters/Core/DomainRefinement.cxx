@@ -71,7 +71,7 @@ TriangleSearch InterfaceSearch(const HexMesh& mesh, const std::vector<InterfaceQ
     triangles.push_back({ q[0], q[1], q[2] });
     triangles.push_back({ q[0], q[2], q[3] });
   }
-  return TriangleSearch(std::move(points), std::move(triangles));
+  return TriangleSearch(std::move(points), std::move(triangles), SearchBuild::Quick);
 }
 
 /// Samples that belong to shells with a verdict other than Same.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexImprovement.h"
 
+#include "Parallel.h"
 #include "PatchImprover.h"
 #include "VertexImprover.h"
 #include "VertexSchedule.h"

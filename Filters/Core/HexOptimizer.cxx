@@ -2,6 +2,7 @@
 #include "HexOptimizer.h"
 
 #include "MipsEnergy.h"
+#include "Parallel.h"
 
 #include <Eigen/Cholesky>
 

@@ -3,6 +3,8 @@
 
 #include "HexQuality.h"
 #include "MipsEnergy.h"
+#include "Parallel.h"
+#include "VertexSchedule.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

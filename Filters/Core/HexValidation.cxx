@@ -141,7 +141,7 @@ void MarkFarHexes(const HexMesh& mesh, const HexValidationReport& r, Defects& de
     triangles.push_back({ q[0], q[1], q[2] });
     triangles.push_back({ q[0], q[2], q[3] });
   }
-  const TriangleSearch search(mesh.Points, std::move(triangles));
+  const TriangleSearch search(mesh.Points, std::move(triangles), SearchBuild::Quick);
   for (const DistanceWitness& w : r.Distance.SurfaceToMesh.Witnesses)
   {
     const Index triangle = search.Closest(w.Point).Triangle;

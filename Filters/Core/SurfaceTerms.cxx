@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceTerms.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 
 namespace featurehex

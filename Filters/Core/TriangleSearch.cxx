@@ -161,7 +161,8 @@ TriangleSearch::~TriangleSearch() = default;
 TriangleSearch::TriangleSearch(TriangleSearch&&) noexcept = default;
 TriangleSearch& TriangleSearch::operator=(TriangleSearch&&) noexcept = default;
 
-TriangleSearch::TriangleSearch(std::vector<Vec3> points, std::vector<Triangle> triangles)
+TriangleSearch::TriangleSearch(
+  std::vector<Vec3> points, std::vector<Triangle> triangles, SearchBuild build)
   : MeshPoints(std::move(points))
   , MeshTriangles(std::move(triangles))
   , Hierarchy(std::make_unique<Scene>())
@@ -188,13 +189,17 @@ TriangleSearch::TriangleSearch(std::vector<Vec3> points, std::vector<Triangle> t
   const double half = box.Empty() ? 0.0 : 0.5 * box.Size().maxCoeff();
   scene.Scale = half > 0 ? 1.0 / half : 1.0;
 
+  const RTCBuildQuality quality =
+    build == SearchBuild::Quick ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
   RTCGeometry geometry = rtcNewGeometry(Device(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(scene.Triangles.size()));
   rtcSetGeometryUserData(geometry, &scene);
   rtcSetGeometryBoundsFunction(geometry, &Scene::Bounds, nullptr);
   rtcSetGeometryPointQueryFunction(geometry, &Scene::Visit);
+  rtcSetGeometryBuildQuality(geometry, quality);
   rtcCommitGeometry(geometry);
   scene.Handle = rtcNewScene(Device());
+  rtcSetSceneBuildQuality(scene.Handle, quality);
   rtcAttachGeometry(scene.Handle, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene.Handle);

@@ -315,6 +315,7 @@ VertexImprover::VertexImprover(
   , EnvelopeLimit(limit)
   , FeaturesOfMesh(features)
   , Lengths(mesh.Points.size(), 0.0)
+  , Hints(mesh.Points.size(), -1)
 {
   for (Index v = 0; v < stars.Hexes.size(); ++v)
   {
@@ -341,13 +342,14 @@ bool VertexImprover::Pinned(Index vertex) const
 
 /// On the patch of the vertex, or on the whole surface when it has none.
 TrianglePoint VertexImprover::ClosestOnSurface(
-  Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal) const
+  Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal)
 {
   const bool matched =
     this->FeaturesOfMesh && this->FeaturesOfMesh->KindOf(vertex) == FeatureKind::Surface;
   const SurfaceGeometry& target =
     matched ? this->FeaturesOfMesh->PatchAt(vertex, surface) : surface;
-  const TrianglePoint closest = target.Search().Closest(p);
+  const TrianglePoint closest = target.Search().Closest(p, this->Hints[vertex]);
+  this->Hints[vertex] = closest.Triangle;
   normal = target.Search().Normal(closest.Triangle);
   return closest;
 }

@@ -83,7 +83,7 @@ private:
   double WithPulls(double energy, const Star& star, const PullLaw& law, const Vec3& x) const;
   bool Pinned(Index vertex) const;
   TrianglePoint ClosestOnSurface(
-    Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal) const;
+    Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal);
   void Gather(Index vertex, Star& star) const;
   void GatherPulls(Index vertex, double threshold, Star& star);
   template <typename Accept>
@@ -96,6 +96,7 @@ private:
   double EnvelopeLimit;
   FeatureTargets* FeaturesOfMesh;
   std::vector<double> Lengths; ///< mean edge length at each vertex at the start
+  std::vector<Index> Hints;    ///< closest triangle of each vertex the last time, on its patch
 };
 }
 

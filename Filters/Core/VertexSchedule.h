@@ -6,7 +6,11 @@
 #define featurehex_VertexSchedule_h
 
 #include "HexAdjacency.h"
-#include "Parallel.h"
+#include "Monitor.h"
+
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace featurehex
 {
@@ -15,7 +19,9 @@ namespace featurehex
 /// Vertices are taken in blocks of consecutive ids (ids follow a space-filling order, so that a
 /// block is a compact piece of the mesh). Blocks are coloured so that the vertices of two blocks of
 /// one colour are more than `rings` hexes apart: what a visit writes is out of reach of all visits
-/// that run beside it. Few colours and large blocks: with vertex colouring two threads were slower
+/// that run beside it. The order is colour after colour, but no thread waits for a colour to end: a
+/// block starts as soon as those of earlier colours within its reach are done, so that blocks with
+/// much work don't hold up the others. Large blocks: with vertex colouring two threads were slower
 /// than one (design 4).
 class VertexSchedule
 {
@@ -26,32 +32,22 @@ public:
   /// between quads next to those of the vertex (SurfaceEnvelope).
   VertexSchedule(const std::vector<Hex>& hexes, const IdLists& hexesOfVertex, int rings);
 
-  /// visit(v) for every vertex; colour after colour, the blocks of a colour in parallel. Returns
-  /// the number of visits that returned true. @a monitor is asked before each colour; when it says
-  /// stop, the colours that follow are left out.
+  /// visit(v) for every vertex, in an order that looks the same to all vertices within reach of
+  /// each other. Returns the number of visits that returned true. @a monitor is asked at the start
+  /// and ten times a second; when it says stop, the blocks that follow are left out.
   template <typename Visit>
   std::size_t Sweep(const Visit& visit, Monitor* monitor = nullptr) const
   {
-    std::size_t total = 0;
-    for (const std::vector<Block>& blocks : this->Colors)
-    {
-      if (monitor && !monitor->Ask())
-      {
-        break;
-      }
-      std::vector<std::size_t> counts(blocks.size(), 0);
-      ParallelFor(blocks.size(), 1, [&](std::size_t i) {
-        for (Index v = blocks[i].First; v < blocks[i].Last; ++v)
+    return this->VisitBlocks(
+      [&visit](Index first, Index last) {
+        std::size_t count = 0;
+        for (Index v = first; v < last; ++v)
         {
-          counts[i] += visit(v) ? 1 : 0;
+          count += visit(v) ? 1 : 0;
         }
-      });
-      for (std::size_t count : counts)
-      {
-        total += count;
-      }
-    }
-    return total;
+        return count;
+      },
+      monitor);
   }
 
   /// Vertices First to Last - 1.
@@ -61,10 +57,19 @@ public:
   };
 
   /// The blocks of each colour, in the order of a sweep.
-  const std::vector<std::vector<Block>>& BlocksByColor() const { return this->Colors; }
+  std::vector<std::vector<Block>> BlocksByColor() const;
 
 private:
-  std::vector<std::vector<Block>> Colors;
+  /// Visits the vertices [first, last); the number of visits that returned true.
+  using BlockVisit = std::function<std::size_t(Index first, Index last)>;
+  class Run;
+
+  std::size_t VisitBlocks(const BlockVisit& visit, Monitor* monitor) const;
+
+  std::vector<Block> Blocks;      ///< in the order of a sweep
+  std::vector<Index> Colors;      ///< of each block
+  std::vector<Index> Earlier;     ///< number of blocks before each one within its reach
+  IdLists Later;                  ///< blocks after each one within its reach
 };
 }
 

@@ -8,6 +8,9 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
 
 using namespace featurehex;
 
@@ -119,23 +122,67 @@ TEST(VertexSchedule, CountsVisitsThatReturnTrue)
   EXPECT_EQ(VertexSchedule().Sweep([](Index) { return true; }), 0u);
 }
 
-TEST(VertexSchedule, StopsBetweenColors)
+TEST(VertexSchedule, StopsInTheMiddleOfASweep)
 {
-  class StopAtSecond : public Monitor
+  class StopAt : public Monitor
   {
+  public:
+    explicit StopAt(int question)
+      : Question(question)
+    {
+    }
+
+  private:
+    int Question;
     int Asked = 0;
-    bool AbortRequested() override { return ++this->Asked == 2; }
+    bool AbortRequested() override { return ++this->Asked == this->Question; }
   };
   const HexMesh mesh = CubeMesh(20);
   const VertexSchedule schedule(mesh.Hexes, CellsOfVertices(mesh.Hexes, mesh.Points.size()), 1);
-  std::size_t first = 0;
-  for (const VertexSchedule::Block& block : schedule.BlocksByColor().front())
-  {
-    first += block.Last - block.First;
-  }
-  StopAtSecond monitor;
-  EXPECT_EQ(schedule.Sweep([](Index) { return true; }, &monitor), first);
-  EXPECT_LT(first, mesh.Points.size());
+  const auto visit = [](Index v) {
+    if (v % 100 == 0)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10)); // some 0.4 s with two threads
+    }
+    return true;
+  };
+  StopAt first(1);
+  EXPECT_EQ(schedule.Sweep(visit, &first), 0u);
+  StopAt second(2);
+  const std::size_t count = schedule.Sweep(visit, &second);
+  EXPECT_GT(count, 0u);
+  EXPECT_LT(count, mesh.Points.size());
+}
+
+TEST(VertexSchedule, NoBlockWaitsForAnotherOutOfItsReach)
+{
+  // The visit of the first vertex lasts until the last block of the second colour is reached.
+  const HexMesh mesh = LatticeMesh({ 1, 1, 4000 }, [](int, int, int) { return true; });
+  const VertexSchedule schedule(mesh.Hexes, CellsOfVertices(mesh.Hexes, mesh.Points.size()), 1);
+  ASSERT_GT(schedule.BlocksByColor().size(), 1u);
+  ASSERT_GT(schedule.BlocksByColor()[1].size(), 2u);
+  const Index last = schedule.BlocksByColor()[1].back().First;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2 }, [&] {
+    if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
+    {
+      GTEST_SKIP() << "one thread";
+    }
+    std::atomic<bool> reached = false;
+    bool seen = false;
+    schedule.Sweep([&](Index v) {
+      if (v == last)
+      {
+        reached = true;
+      }
+      for (int wait = 0; v == 0 && wait < 1000 && !reached; ++wait)
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      seen = v == 0 ? reached.load() : seen;
+      return true;
+    });
+    EXPECT_TRUE(seen);
+  });
 }
 
 TEST(VertexSchedule, NeighboursSeeEachOtherInTheSameOrderForAnyNumberOfThreads)
