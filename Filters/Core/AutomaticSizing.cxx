@@ -15,6 +15,12 @@ namespace
 constexpr double LargerCells[] = { 1.8, 1.35 }; // of the usual size
 constexpr double DemandingShare = 0.005; // of the samples of the surface: fewer are no reason
 constexpr double SagShare = 0.5;         // of the tolerance
+constexpr double SaggingSamples = 0.13; // share of the samples where quads may sag by more
+/// Edge lengths: quads can follow curvature to the tolerance where it is not smaller than this; to
+/// less of it where it is.
+constexpr double EasyTolerance = 0.11;
+constexpr double SmallestCells = 0.05;  // of the usual size
+constexpr double FactorStep = 1.189207115002721; // four steps halve
 
 /// Nothing asks for smaller cells.
 bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features, double size,
@@ -38,6 +44,33 @@ bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features,
     SampleSurface(surface.Mesh(), sizing.SampleSpacing * size).size();
   return demands <= DemandingShare * samples && !monitor.Stopped();
 }
+
+/// The largest cells, in usual ones and at most one, whose quads can follow the curvature within
+/// the tolerance nearly everywhere.
+double CurvatureFactor(const SurfaceGeometry& surface, double usual, double slack, bool features,
+  Monitor& monitor)
+{
+  SizingOptions sizing;
+  sizing.Slack = slack;
+  sizing.CellsPerThickness = AutomaticSizingFor(features).CellsPerThickness;
+  sizing.MaximumSizingLevel = AutomaticSizingFor(features).MaximumSizingLevel;
+  const std::vector<SurfaceSample> samples =
+    SampleSurface(surface.Mesh(), sizing.SampleSpacing * usual);
+  double factor = 1;
+  while (factor > SmallestCells)
+  {
+    sizing.TargetEdgeLength = factor * usual;
+    const double ease = slack / (EasyTolerance * sizing.TargetEdgeLength);
+    sizing.Sag = slack * std::min(1.0, ease * ease);
+    const double share = SaggingShare(samples, surface.Search(), sizing, monitor);
+    if (share <= SaggingSamples || monitor.Stopped())
+    {
+      break;
+    }
+    factor /= FactorStep;
+  }
+  return factor;
+}
 }
 
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,
@@ -45,15 +78,21 @@ double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures
 {
   const double side = surface.Bounds().Size().maxCoeff();
   const double usual = side / AutomaticSizingFor(!features.Curves.empty()).CellsPerSide;
-  if (features.Curves.empty())
+  const bool sharp = !features.Curves.empty();
+  const double factor = CurvatureFactor(surface, usual, slack, sharp, monitor);
+  if (!sharp)
   {
-    return usual;
+    return factor * usual;
   }
   const FeatureGeometry geometry(surface.Mesh(), features, TrimCells * usual);
   const GridFit fit(surface.Mesh(), axes);
-  for (double factor : LargerCells)
+  if (factor < 1)
   {
-    const double size = fit.BestSize(factor * usual);
+    return fit.BestSize(factor * usual);
+  }
+  for (double larger : LargerCells)
+  {
+    const double size = fit.BestSize(larger * usual);
     if (FineEnough(surface, geometry, size, slack, monitor))
     {
       return size;

@@ -34,6 +34,8 @@ constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 /// Of the wanted minimum scaled Jacobian: below, cells get finer.
 constexpr double AcceptableShare = 0.92;
+constexpr double SagShare = 1.6; // of the tolerance: where flat quads sag by more, cells are finer
+constexpr int MaximumCurvatureLevel = 2;
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 4;
 constexpr int MaximumFeatureRounds = 3;
@@ -155,6 +157,7 @@ private:
   int FeatureRounds = 0;
   int QualityRounds = 0;
   CarriedPositions Carried; ///< from the last valid mesh
+  bool CarriedImproved = false;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
   // Of the current round.
@@ -298,6 +301,8 @@ void Mesher::PrepareSizing()
   sizing.TargetEdgeLength = this->EdgeLength;
   sizing.Slack = this->AbsoluteTolerance();
   sizing.CellsPerThickness = this->Automatic().CellsPerThickness;
+  sizing.Sag = SagShare * this->AbsoluteTolerance();
+  sizing.MaximumCurvatureLevel = MaximumCurvatureLevel;
   sizing.MaximumSizingLevel =
     std::min(this->Automatic().MaximumSizingLevel, this->Options.MaximumLevel);
   this->Points =
@@ -612,7 +617,9 @@ Mesher::Outcome Mesher::Fit(Status& status)
   this->BeginPhase("fitting to the surface", 0.22, 0.9);
   ProvenFittingReport report;
   status = this->Fitting->Run(this->Body.Mesh, this->Stars, this->Targets.get(),
-    this->Changed.empty() ? nullptr : &this->Changed, report, this->Progress);
+    this->Changed.empty() ? nullptr : &this->Changed,
+    this->Changed.empty() || !this->CarriedImproved ? nullptr : &this->Changed, report,
+    this->Progress);
   this->Result.Improvement = report.Improvement;
   if (status.Ok())
   {
@@ -658,6 +665,7 @@ Mesher::Outcome Mesher::Validate(Status& status)
   report = ValidateHexMesh(mesh, &surface, validation, this->Progress);
   if (report.Result.Ok())
   {
+    this->CarriedImproved = true;
     this->Carried.Remember(
       this->Unfitted, this->Labels(), this->Body.Mesh.Points, this->EdgeLength);
     return Outcome::Done;

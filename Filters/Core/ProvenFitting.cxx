@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProvenFitting.h"
 
+#include "QuadSearch.h"
 #include "SubMonitor.h"
 
 #include <algorithm>
@@ -12,7 +13,10 @@ namespace
 /// Tolerances: the improvement repairs the rest (recipe-pipeline 2.8).
 constexpr double RefineBeyond = 1.4;
 constexpr double RefineBeyondWithFeatures = 4.0; // vertices beside creases arrive late
-constexpr double SampleSpacing = 0.5; // tolerances, between samples of the input (recipe-quality 2)
+/// Between samples of the input: the quads there divided by this, as their own grid, but not less
+/// than this many tolerances.
+constexpr double SamplesPerQuadSide = 8;
+constexpr double LeastSampleSpacing = 0.5;
 constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
@@ -45,24 +49,43 @@ std::vector<Vec3> PlacesBeyond(
   }
   return places;
 }
+
+/// Samples of the surface that suit the quads of the boundary.
+std::vector<Vec3> SampleLike(const SurfaceGeometry& surface, const HexMesh& mesh,
+  const std::vector<Quad>& quads, double leastSpacing)
+{
+  const QuadSearch search(mesh, quads);
+  return surface.Samples([&](const Vec3& p) {
+    const Quad& quad = quads[search.Closest(p)];
+    double perimeter = 0;
+    for (int k = 0; k < 4; ++k)
+    {
+      perimeter += (mesh.Points[quad[(k + 1) % 4]] - mesh.Points[quad[k]]).norm();
+    }
+    return std::max(leastSpacing, 0.25 * perimeter / SamplesPerQuadSide);
+  });
+}
 }
 
 ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFittingOptions& options)
   : Surface(surface)
   , Options(options)
   , Distance(surface.Mesh())
-  , Samples(surface.Samples(SampleSpacing * options.Tolerance * surface.Diagonal()))
 {
 }
 
 Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-  const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor)
+  const std::vector<char>* unfitted, const std::vector<char>* changed,
+  ProvenFittingReport& report, Monitor& monitor)
 {
   report = ProvenFittingReport();
+  this->Samples = SampleLike(
+    this->Surface, mesh, stars.Quads, LeastSampleSpacing * this->AbsoluteTolerance());
+  this->Samples.insert(this->Samples.end(), this->Witnesses.begin(), this->Witnesses.end());
   FittingOptions fitting;
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
-  fitting.Changed = changed;
+  fitting.Changed = unfitted;
   {
     SubMonitor part(monitor, 0.0, FittingShare);
     SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
@@ -128,6 +151,7 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     {
       report.Places.push_back(w.Point);
       this->Samples.push_back(w.Point);
+      this->Witnesses.push_back(w.Point);
     }
     for (const DistanceWitness& w : decision.Quads)
     {

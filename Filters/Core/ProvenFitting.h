@@ -52,7 +52,8 @@ public:
   /// @a features may be null. @a changed: 1 for vertices that have to be fitted and improved; null:
   /// all. The others are in place (CarriedPositions.h).
   Status Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-    const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
+    const std::vector<char>* unfitted, const std::vector<char>* changed,
+    ProvenFittingReport& report, Monitor& monitor);
 
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
@@ -62,7 +63,8 @@ private:
   const SurfaceGeometry& Surface;
   ProvenFittingOptions Options;
   CertifiedDistance Distance;
-  std::vector<Vec3> Samples; ///< of the surface; grows by the witnesses of failed proofs
+  std::vector<Vec3> Samples;   ///< of the surface, for the current mesh
+  std::vector<Vec3> Witnesses; ///< of failed proofs, from all meshes so far: samples in each
 };
 }
 

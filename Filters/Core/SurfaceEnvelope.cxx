@@ -2,6 +2,7 @@
 #include "SurfaceEnvelope.h"
 
 #include "Parallel.h"
+#include "QuadSearch.h"
 
 #include <algorithm>
 
@@ -14,33 +15,6 @@ Vec3 Weighted(const HexMesh& mesh, const Quad& quad, const std::array<double, 4>
   return weights[0] * mesh.Points[quad[0]] + weights[1] * mesh.Points[quad[1]] +
     weights[2] * mesh.Points[quad[2]] + weights[3] * mesh.Points[quad[3]];
 }
-
-/// A quad is measured as four triangles round its centre.
-struct QuadFan
-{
-  std::vector<Vec3> Points;
-  std::vector<Triangle> Triangles;
-
-  QuadFan(const HexMesh& mesh, const std::vector<Quad>& quads)
-  {
-    // Only the boundary's points: the search scales to the box of its points.
-    for (const Quad& quad : quads)
-    {
-      const Index first = static_cast<Index>(this->Points.size());
-      Vec3 center = Vec3::Zero();
-      for (Index v : quad)
-      {
-        this->Points.push_back(mesh.Points[v]);
-        center += 0.25 * mesh.Points[v];
-      }
-      this->Points.push_back(center);
-      for (int k = 0; k < 4; ++k)
-      {
-        this->Triangles.push_back({ first + k, first + (k + 1) % 4, first + 4 });
-      }
-    }
-  }
-};
 }
 
 SurfaceEnvelope::SurfaceEnvelope(const SurfaceGeometry& surface, const std::vector<Vec3>& samples,
@@ -264,11 +238,10 @@ void SurfaceEnvelope::Rebuild()
   {
     return;
   }
-  QuadFan fan(this->Mesh, this->Stars.Quads);
-  const TriangleSearch search(std::move(fan.Points), std::move(fan.Triangles));
+  const QuadSearch search(this->Mesh, this->Stars.Quads);
   std::vector<Index> owners(this->Samples.size());
   ParallelFor(this->Samples.size(), 1024, this->Progress, [&](std::size_t s) {
-    owners[s] = search.Closest(this->Samples[s]).Triangle / 4;
+    owners[s] = search.Closest(this->Samples[s]);
   });
   this->LinkSamples(owners);
 }

@@ -6,6 +6,90 @@
 
 namespace featurehex
 {
+namespace
+{
+/// Pieces of this many spacings are small enough for one spacing.
+constexpr double EvenPieces = 4;
+
+/// Fills edges and triangles, without their ends and edges.
+class Sampler
+{
+public:
+  explicit Sampler(const SurfaceGeometry::SpacingFunction& spacing)
+    : Spacing(spacing)
+  {
+  }
+
+  void AddInside(const Vec3& a, const Vec3& b)
+  {
+    const Vec3 middle = 0.5 * (a + b);
+    const double spacing = this->Spacing(middle);
+    if ((b - a).norm() <= EvenPieces * spacing)
+    {
+      this->AddRow(a, b, spacing);
+      return;
+    }
+    this->AddInside(a, middle);
+    this->Samples.push_back(middle);
+    this->AddInside(middle, b);
+  }
+
+  void AddInside(Vec3 a, Vec3 b, Vec3 c)
+  {
+    // The longest edge first.
+    const double ab = (b - a).squaredNorm();
+    const double bc = (c - b).squaredNorm();
+    const double ca = (a - c).squaredNorm();
+    if (bc > ab && bc >= ca)
+    {
+      std::swap(a, b);
+      std::swap(b, c);
+    }
+    else if (ca > ab && ca > bc)
+    {
+      std::swap(a, c);
+      std::swap(b, c);
+    }
+    const double base = (b - a).norm();
+    const double spacing = this->Spacing((a + b + c) / 3);
+    const int rows = base > 0 ? Pieces((b - a).cross(c - a).norm() / base, spacing) : 0;
+    if (rows > 1 && base > EvenPieces * spacing)
+    {
+      const Vec3 middle = 0.5 * (a + b);
+      this->AddInside(middle, c);
+      this->AddInside(a, middle, c);
+      this->AddInside(middle, b, c);
+      return;
+    }
+    // Rows along the longest edge: few across a sliver.
+    for (int row = 1; row < rows; ++row)
+    {
+      const double share = static_cast<double>(row) / rows;
+      this->AddRow(a + (c - a) * share, b + (c - b) * share, spacing);
+    }
+  }
+
+  std::vector<Vec3> Samples;
+
+private:
+  static int Pieces(double length, double spacing)
+  {
+    return static_cast<int>(std::ceil(length / spacing));
+  }
+
+  void AddRow(const Vec3& a, const Vec3& b, double spacing)
+  {
+    const int n = Pieces((b - a).norm(), spacing);
+    for (int i = 1; i < n; ++i)
+    {
+      this->Samples.push_back(a + (b - a) * (static_cast<double>(i) / n));
+    }
+  }
+
+  const SurfaceGeometry::SpacingFunction& Spacing;
+};
+}
+
 SurfaceGeometry::SurfaceGeometry(SurfaceMesh surface)
   : Surface(std::move(surface))
   , Triangles(this->Surface.Points, this->Surface.Triangles)
@@ -40,10 +124,12 @@ Vec3 SurfaceGeometry::NormalAt(const TrianglePoint& point) const
 
 std::vector<Vec3> SurfaceGeometry::Samples(double spacing) const
 {
-  const auto pieces = [spacing](double length) {
-    return static_cast<int>(std::ceil(std::min(length / spacing, 1000.0)));
-  };
-  std::vector<Vec3> samples;
+  return this->Samples([spacing](const Vec3&) { return spacing; });
+}
+
+std::vector<Vec3> SurfaceGeometry::Samples(const SpacingFunction& spacing) const
+{
+  Sampler sampler(spacing);
   std::vector<bool> used(this->Surface.Points.size(), false);
   for (const Triangle& t : this->Surface.Triangles)
   {
@@ -56,44 +142,22 @@ std::vector<Vec3> SurfaceGeometry::Samples(double spacing) const
   {
     if (used[v])
     {
-      samples.push_back(this->Surface.Points[v]);
+      sampler.Samples.push_back(this->Surface.Points[v]);
     }
   }
-  const auto addInside = [&](const Vec3& a, const Vec3& b) {
-    const int n = pieces((b - a).norm());
-    for (int i = 1; i < n; ++i)
-    {
-      samples.push_back(a + (b - a) * (static_cast<double>(i) / n));
-    }
-  };
   for (const Triangle& t : this->Surface.Triangles)
   {
-    int base = 0;
-    std::array<double, 3> lengths;
     for (int k = 0; k < 3; ++k)
     {
-      const Vec3& a = this->Surface.Points[t[k]];
-      const Vec3& b = this->Surface.Points[t[(k + 1) % 3]];
-      lengths[k] = (b - a).norm();
-      base = lengths[k] > lengths[base] ? k : base;
       // Each edge of a closed surface is seen twice, in both directions: once is enough.
       if (t[k] < t[(k + 1) % 3])
       {
-        addInside(a, b);
+        sampler.AddInside(this->Surface.Points[t[k]], this->Surface.Points[t[(k + 1) % 3]]);
       }
     }
-    // Rows along the longest edge: few across a sliver.
-    const Vec3& a = this->Surface.Points[t[base]];
-    const Vec3& b = this->Surface.Points[t[(base + 1) % 3]];
-    const Vec3& c = this->Surface.Points[t[(base + 2) % 3]];
-    const int rows =
-      lengths[base] > 0 ? pieces((b - a).cross(c - a).norm() / lengths[base]) : 0;
-    for (int row = 1; row < rows; ++row)
-    {
-      const double share = static_cast<double>(row) / rows;
-      addInside(a + (c - a) * share, b + (c - b) * share);
-    }
+    sampler.AddInside(
+      this->Surface.Points[t[0]], this->Surface.Points[t[1]], this->Surface.Points[t[2]]);
   }
-  return samples;
+  return std::move(sampler.Samples);
 }
 }

@@ -7,6 +7,8 @@
 
 #include "TriangleSearch.h"
 
+#include <functional>
+
 namespace featurehex
 {
 /// Prepared once for a surface and shared by all stages and rounds.
@@ -23,9 +25,13 @@ public:
   /// Unit normal interpolated from area-weighted point normals; zero where they cancel.
   Vec3 NormalAt(const TrianglePoint& point) const;
 
-  /// All points, and points on edges and triangles longer than @a spacing: no point of the surface
-  /// is farther than about @a spacing / sqrt(3) from a sample. Order: points, then edges and
+  /// Model units, above 0, wanted at a point of the surface.
+  using SpacingFunction = std::function<double(const Vec3&)>;
+
+  /// All points, and points on edges and triangles longer than the spacing there: no point of the
+  /// surface is farther than about spacing / sqrt(3) from a sample. Order: points, then edges and
   /// interiors by triangle.
+  std::vector<Vec3> Samples(const SpacingFunction& spacing) const;
   std::vector<Vec3> Samples(double spacing) const;
 
 private:

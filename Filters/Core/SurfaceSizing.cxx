@@ -29,6 +29,9 @@ constexpr double ShortestStep = 0.01;
 /// Relative accuracy of radii: cells are chosen in factors of two.
 constexpr double RadiusAccuracy = 1e-2;
 
+/// Normals that turn by more belong to two sides of a sharp edge.
+constexpr double SharpCosine = 0.70710678118654752;
+
 /// Ids of the entries that are the first with their key, ascending.
 template <typename Key>
 std::vector<std::size_t> FirstOfEachKey(const std::vector<Key>& keys)
@@ -237,7 +240,8 @@ double WantedRadius(const SizingOptions& options, double cells, int level)
   return 0.5 * cells * options.TargetEdgeLength * std::ldexp(1.0, -level);
 }
 
-int NeededLevel(
+/// For thickness and gaps.
+int ClearanceLevel(
   const TriangleSearch& search, const SurfaceSample& sample, const SizingOptions& options)
 {
   int level = 0;
@@ -256,10 +260,22 @@ int NeededLevel(
       ++level;
     }
   }
-  while (options.Sag > 0 && level < options.MaximumCurvatureLevel &&
-    QuadSag(search, sample, std::ldexp(options.TargetEdgeLength, -level)) > options.Sag)
+  return level;
+}
+
+int NeededLevel(
+  const TriangleSearch& search, const SurfaceSample& sample, const SizingOptions& options)
+{
+  int level = ClearanceLevel(search, sample, options);
+  for (; options.Sag > 0 && level < options.MaximumCurvatureLevel; ++level)
   {
-    ++level;
+    bool sharp = false;
+    const double sag =
+      QuadSag(search, sample, std::ldexp(options.TargetEdgeLength, -level), &sharp);
+    if (sag <= options.Sag || sharp)
+    {
+      break;
+    }
   }
   return level;
 }
@@ -353,7 +369,8 @@ double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample
   return ball.Radius >= climber.Wanted() ? options.MaximumRadius : climber.Climb(ball);
 }
 
-double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double size)
+double QuadSag(
+  const TriangleSearch& search, const SurfaceSample& sample, double size, bool* sharp)
 {
   const Vec3 normal = search.Normal(sample.Triangle);
   const Vec3 u = normal.unitOrthogonal();
@@ -361,13 +378,16 @@ double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double
   constexpr int count = 8; // corners and sides, on a circle
   const double radius = size / std::sqrt(2.0);
   std::array<double, count + 1> heights;
+  double turn = 1;
   double alongU = 0;
   double alongV = 0;
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2 * Pi * i / count;
     const Vec3 p = sample.Position + radius * (std::cos(angle) * u + std::sin(angle) * v);
-    heights[i] = (search.Closest(p, sample.Triangle).Point - sample.Position).dot(normal);
+    const TrianglePoint closest = search.Closest(p, sample.Triangle);
+    heights[i] = (closest.Point - sample.Position).dot(normal);
+    turn = std::min(turn, normal.dot(search.Normal(closest.Triangle)));
     alongU += 2 * heights[i] * std::cos(angle) / count;
     alongV += 2 * heights[i] * std::sin(angle) / count;
   }
@@ -377,8 +397,34 @@ double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double
     const double angle = 2 * Pi * i / count;
     heights[i] -= alongU * std::cos(angle) + alongV * std::sin(angle);
   }
+  if (sharp)
+  {
+    *sharp = turn < SharpCosine;
+  }
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   return 0.5 * (*high - *low);
+}
+
+double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSearch& search,
+  const SizingOptions& options, Monitor& monitor)
+{
+  std::vector<char> sags(samples.size(), 0);
+  std::vector<char> smooth(samples.size(), 0);
+  ParallelFor(samples.size(), 64, &monitor, [&](std::size_t i) {
+    const int level = ClearanceLevel(search, samples[i], options);
+    bool sharp = false;
+    sags[i] = QuadSag(search, samples[i], std::ldexp(options.TargetEdgeLength, -level), &sharp) >
+      options.Sag;
+    smooth[i] = !sharp;
+  });
+  double count = 0;
+  double sagging = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+  {
+    count += smooth[i];
+    sagging += smooth[i] && sags[i];
+  }
+  return count > 0 ? sagging / count : 0.0;
 }
 
 std::vector<RefinementPoint> ComputeSizing(const SurfaceMesh& surface,

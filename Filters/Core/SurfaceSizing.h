@@ -62,8 +62,9 @@ double ClearanceRadius(const TriangleSearch& search, const SurfaceSample& sample
 
 /// How far a flat quad with edges of @a size round the sample stays from the surface at its corners
 /// and at as many points between them, when it lies best: half the difference of their heights over
-/// a fitted plane. Model units.
-double QuadSag(const TriangleSearch& search, const SurfaceSample& sample, double size);
+/// a fitted plane. Model units. @a sharp: whether the surface turns by more than 45 degrees there.
+double QuadSag(
+  const TriangleSearch& search, const SurfaceSample& sample, double size, bool* sharp = nullptr);
 
 /// Cell sizes that thickness, gaps and curvature ask for.
 struct SizingOptions
@@ -80,6 +81,11 @@ struct SizingOptions
   int MaximumCurvatureLevel = 1; ///< at most this many halvings for it
   double SampleSpacing = 0.5;     ///< in target edge lengths
 };
+
+/// Share of the samples where the sag (QuadSag()) of cells as small as thickness and gaps ask for
+/// is beyond @a options.Sag, of those without a sharp edge near by. 0..1.
+double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSearch& search,
+  const SizingOptions& options, Monitor& monitor);
 
 /// Refinement points where cells of the target edge length are too large for the local thickness or
 /// gap, with the level they need, in sample order.
