@@ -22,10 +22,12 @@ class Handles
 {
 public:
   Handles(const HexGraph& graph, const HexDistances& distances, const Shells& surface,
-    std::vector<Index>& excess, std::vector<char>& inside)
+    const std::function<bool(Index, Index)>& seesOther, std::vector<Index>& excess,
+    std::vector<char>& inside)
     : Graph(graph)
     , Distances(distances)
     , Surface(surface)
+    , SeesOther(seesOther)
     , Excess(excess)
     , Inside(inside)
     , Mark(inside.size(), 0)
@@ -35,11 +37,15 @@ public:
   Index Run()
   {
     Index flips = 0;
-    for (std::size_t size = 1; size <= LargestSet && this->AnyExcess(); ++size)
+    for (const bool spare : { true, false })
     {
-      for (const HexSet& set : this->Candidates(size))
+      this->SpareReal = spare;
+      for (std::size_t size = 1; size <= LargestSet && this->AnyExcess(); ++size)
       {
-        flips += this->TryFlip(set);
+        for (const HexSet& set : this->Candidates(size))
+        {
+          flips += this->TryFlip(set);
+        }
       }
     }
     return flips;
@@ -180,7 +186,7 @@ private:
       }
     }
     const std::vector<Index> ends = this->Ends(set);
-    if (ends.size() < 2)
+    if (ends.size() < 2 || (this->SpareReal && this->IsOfSurface(set)))
     {
       return 0;
     }
@@ -197,6 +203,49 @@ private:
     }
     --this->Excess[this->ShellOf(set[0])];
     return static_cast<Index>(set.size());
+  }
+
+  /// A piece of a beam or tunnel that the surface has, too: it is on its side and sees two ends that
+  /// are apart.
+  bool IsOfSurface(const HexSet& set) const
+  {
+    std::vector<Index> seen;
+    for (Index h : set)
+    {
+      if ((this->Distances.Signed[h] < 0) != (this->Inside[h] != 0))
+      {
+        return false;
+      }
+      for (Index other : this->Graph.Neighbors[h])
+      {
+        if (this->Inside[other] == this->Inside[h] &&
+          !std::binary_search(set.begin(), set.end(), other) && this->SeesOther(h, other))
+        {
+          seen.push_back(other);
+        }
+      }
+    }
+    return !seen.empty() && this->Apart(seen);
+  }
+
+  /// Not all of the hexes are reached from the first through common faces.
+  bool Apart(std::vector<Index> hexes) const
+  {
+    std::sort(hexes.begin(), hexes.end());
+    hexes.erase(std::unique(hexes.begin(), hexes.end()), hexes.end());
+    std::vector<Index> reached = { hexes[0] };
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      for (Index other : this->Graph.Neighbors[reached[i]])
+      {
+        if (std::binary_search(hexes.begin(), hexes.end(), other) &&
+          std::find(reached.begin(), reached.end(), other) == reached.end())
+        {
+          reached.push_back(other);
+        }
+      }
+    }
+    return reached.size() < hexes.size();
   }
 
   void Flip(const HexSet& set)
@@ -297,16 +346,19 @@ private:
   const HexGraph& Graph;
   const HexDistances& Distances;
   const Shells& Surface;
+  const std::function<bool(Index, Index)>& SeesOther;
   std::vector<Index>& Excess;
   std::vector<char>& Inside;
   std::vector<int> Mark;
   int Stamp = 0;
+  bool SpareReal = true; ///< handles that the surface has
 };
 }
 
 Index RepairHandles(const HexGraph& graph, const HexDistances& distances, const Shells& surface,
-  std::vector<Index>& excess, std::vector<char>& inside)
+  const std::function<bool(Index, Index)>& seesOther, std::vector<Index>& excess,
+  std::vector<char>& inside)
 {
-  return Handles(graph, distances, surface, excess, inside).Run();
+  return Handles(graph, distances, surface, seesOther, excess, inside).Run();
 }
 }

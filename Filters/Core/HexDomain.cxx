@@ -13,6 +13,8 @@ namespace featurehex
 {
 namespace
 {
+/// Of the way between two centres: as near to the surface as this counts as through it.
+constexpr double TouchShare = 0.02;
 /// Distances are searched up to this many cell sizes: 1.2 diagonals of a cube. Beyond, the limit
 /// is a lower bound of the distance.
 constexpr double NearDistance = 2.1;
@@ -291,6 +293,22 @@ std::vector<Index> ExcessHandles(const HexDomain& domain)
   return excess;
 }
 
+/// Walks along the segment in balls that the surface doesn't enter.
+bool SurfaceBetween(const TriangleSearch& search, const Vec3& a, const Vec3& b)
+{
+  const double length = (b - a).norm();
+  for (double way = 0; way < length;)
+  {
+    const double free = search.Closest(a + way / length * (b - a)).Distance;
+    if (free < TouchShare * length)
+    {
+      return true;
+    }
+    way += free;
+  }
+  return false;
+}
+
 Status CheckRepair(const HexMesh& mesh, const RepairResult& repair)
 {
   if (repair.NonManifoldVertices.empty())
@@ -345,7 +363,11 @@ Status ComputeHexDomain(const HexMesh& mesh, const SurfaceMesh& surface,
     return status;
   }
   std::vector<Index> excess = ExcessHandles(domain);
-  domain.HandleFlips = RepairHandles(graph, distances, domain.SurfaceShells, excess, inside);
+  const auto seesOther = [&](Index a, Index b) {
+    return !SurfaceBetween(search, cells.Centers[a], cells.Centers[b]);
+  };
+  domain.HandleFlips =
+    RepairHandles(graph, distances, domain.SurfaceShells, seesOther, excess, inside);
   if (domain.HandleFlips > 0)
   {
     DescribeInterface(graph, search, inside, domain);
