@@ -18,7 +18,9 @@ constexpr double ArcSlack = 2.0;      // progress along the curve per edge lengt
 constexpr double SpokePrice = 1.0;    // edge lengths per dart away from the preferred one
 constexpr double ReservedPrice = 1.5; // edge lengths
 constexpr double OwnedPrice = 4.0;    // edge lengths: a vertex of another path in a relaxed search
+constexpr double ShortCurve = 0.6;    // of an edge length
 constexpr int LegsOfLoop = 3;
+constexpr int ShiftsOfLoop = 3;
 constexpr double WideReach = 2.4; // of the usual reach, when it is not enough
 
 /// Price of a turn with so many quads on one side, in edge lengths. One quad there would have a
@@ -56,7 +58,6 @@ CurveRouter::CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph
   , Geometry(geometry)
   , CornerVertices(cornerVertices)
   , Reach(reach)
-  , CurrentReach(reach)
   , Sizes(points.size(), 0.0)
   , Owner(points.size(), -1)
   , ReservedBy(points.size(), -1)
@@ -74,6 +75,10 @@ CurveRouter::CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph
   {
     const Index v = graph.Tail(d);
     this->Sizes[v] += (points[graph.Head(d)] - points[v]).norm() / graph.Valence(v);
+  }
+  for (double size : this->Sizes)
+  {
+    this->LargestSize = std::max(this->LargestSize, size);
   }
 }
 
@@ -103,9 +108,15 @@ std::vector<Index> CurveRouter::ArrangeSpokes(Index corner, Index vertex, double
   {
     const CornerFan::Spoke& spoke = fan.Spokes[i];
     const EnforcedCurve& curve = this->Geometry.Curves()[spoke.Curve];
+    const Index other = spoke.AtEnd ? curve.FirstCorner : curve.LastCorner;
+    const Index neighbor = other >= 0 ? this->CornerVertices[other] : -1;
     const double arc = std::min(1.2 * this->Sizes[vertex], 0.5 * curve.Length());
     const Vec3 target = curve.At(spoke.AtEnd ? curve.Length() - arc : arc);
-    directions.push_back((target - this->Geometry.CornerPoint(corner)).normalized());
+    // The direction of what is shorter than the edges is that of its edge.
+    directions.push_back(
+      neighbor >= 0 && neighbor != vertex && this->IsShort(spoke.Curve, vertex)
+        ? (this->Points[neighbor] - this->Points[vertex]).normalized()
+        : (target - this->Geometry.CornerPoint(corner)).normalized());
     const double next = i + 1 < spokes ? fan.Spokes[i + 1].Angle : fan.FullAngle;
     sectors.push_back(next - spoke.Angle);
   }
@@ -151,6 +162,11 @@ std::vector<Index> CurveRouter::ArrangeSpokes(Index corner, Index vertex, double
   return darts;
 }
 
+bool CurveRouter::IsShort(Index curve, Index vertex) const
+{
+  return this->Geometry.Curves()[curve].Length() < ShortCurve * this->Sizes[vertex];
+}
+
 int CurveRouter::SpokeOf(Index corner, Index curve, bool atEnd) const
 {
   const std::vector<CornerFan::Spoke>& spokes = this->Geometry.Fans()[corner].Spokes;
@@ -164,9 +180,23 @@ int CurveRouter::SpokeOf(Index corner, Index curve, bool atEnd) const
   return -1;
 }
 
-/// Price of leaving the corner through @a dart, in edge lengths; 1e300 when the routed spokes leave
-/// no place for it.
-double CurveRouter::SpokeCost(Index corner, int spoke, Index dart) const
+/// Price of leaving the corner through @a dart, in edge lengths. When the routed spokes leave no
+/// place for it: 1e300, or what taking it from them costs.
+double CurveRouter::SpokeCost(Index corner, int spoke, Index dart, bool relaxed) const
+{
+  const Index wanted = this->Preferred[corner][spoke];
+  const double price = SpokePrice *
+    std::min(this->Graph.Steps(wanted, dart), this->Graph.Steps(dart, wanted));
+  if (this->HasRoom(corner, spoke, dart))
+  {
+    return price;
+  }
+  return relaxed ? price + OwnedPrice : 1e300;
+}
+
+/// The routed spokes of the corner keep their cyclic order, and places for those between, when this
+/// one leaves through @a dart.
+bool CurveRouter::HasRoom(Index corner, int spoke, Index dart) const
 {
   const std::vector<Index>& taken = this->Taken[corner];
   const int spokes = static_cast<int>(taken.size());
@@ -188,19 +218,16 @@ double CurveRouter::SpokeCost(Index corner, int spoke, Index dart) const
     toAfter = toAfter == 0 ? valence : toAfter;
     if (fromBefore < before || toAfter < after)
     {
-      return 1e300;
+      return false;
     }
     const int between =
       this->Graph.Steps(taken[(spoke + spokes - before) % spokes], taken[(spoke + after) % spokes]);
     if (fromBefore + toAfter != (between == 0 ? valence : between))
     {
-      return 1e300; // not between the two
+      return false; // not between the two
     }
   }
-  const Index wanted = this->Preferred[corner][spoke];
-  const int steps =
-    std::min(this->Graph.Steps(wanted, dart), this->Graph.Steps(dart, wanted));
-  return SpokePrice * steps;
+  return true;
 }
 
 double CurveRouter::TurnCost(Index incoming, Index outgoing) const
@@ -243,7 +270,7 @@ bool CurveRouter::RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& dar
     const double size = this->Sizes[head];
     const CurvePoint closest = curve.Closest(this->Points[head], leg.From, leg.To);
     const double length = (this->Points[head] - this->Points[this->Graph.Tail(dart)]).norm();
-    if ((!arrives && closest.Distance > this->CurrentReach * size) ||
+    if ((!arrives && closest.Distance > this->CurrentReach.In(size)) ||
       std::abs(closest.Arc - tailArc) > ArcSlack * length + 0.3 * size)
     {
       return;
@@ -255,11 +282,12 @@ bool CurveRouter::RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& dar
     }
     else if (leg.FirstSpoke >= 0)
     {
-      turn = this->SpokeCost(curve.FirstCorner, leg.FirstSpoke, dart);
+      turn = this->SpokeCost(curve.FirstCorner, leg.FirstSpoke, dart, relaxed);
     }
     if (arrives && leg.LastSpoke >= 0)
     {
-      turn += this->SpokeCost(curve.LastCorner, leg.LastSpoke, this->Graph.Opposite(dart));
+      turn += this->SpokeCost(
+        curve.LastCorner, leg.LastSpoke, this->Graph.Opposite(dart), relaxed);
     }
     else if (arrives && leg.Outgoing >= 0)
     {
@@ -338,21 +366,37 @@ Index CurveRouter::FreeVertexNear(const Vec3& p) const
   return best;
 }
 
-/// Along a thin wedge the interface ends far from the edge: looks farther when nothing is near.
+/// Along a thin wedge the interface ends far from the edge, where a wall is thinner than the finest
+/// cells it may be cells of the usual size away: looks farther when nothing is near. The stops of a
+/// loop are tried at other places then, too.
 bool CurveRouter::Route(Index c, bool relaxed, std::vector<Index>& path)
 {
-  return this->RouteWithin(this->Reach, c, relaxed, path) ||
-    this->RouteWithin(WideReach * this->Reach, c, relaxed, path);
+  const int shifts = this->Geometry.Curves()[c].Closed ? ShiftsOfLoop : 1;
+  for (const ReachLimit& reach : { ReachLimit{ this->Reach, 0.0 },
+         ReachLimit{ WideReach * this->Reach, 0.0 },
+         ReachLimit{ WideReach * this->Reach, this->Reach * this->LargestSize } })
+  {
+    this->CurrentReach = reach;
+    for (int shift = 0; shift < shifts; ++shift)
+    {
+      if (this->RouteFrom(static_cast<double>(shift) / shifts, c, relaxed, path))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
-bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<Index>& path)
+/// @a shift: of the stops of a loop, in legs.
+bool CurveRouter::RouteFrom(double shift, Index c, bool relaxed, std::vector<Index>& path)
 {
-  this->CurrentReach = reach;
   const EnforcedCurve& curve = this->Geometry.Curves()[c];
   path.clear();
   const bool loop = curve.Closed;
   const bool cornerLoop = !loop && curve.FirstCorner >= 0 && curve.FirstCorner == curve.LastCorner;
   const int legs = loop || cornerLoop ? LegsOfLoop : 1;
+  const auto arcOf = [&](int i) { return curve.Length() * (i + shift) / legs; };
   std::vector<Index> stops;
   for (int i = 0; i <= legs; ++i)
   {
@@ -368,7 +412,7 @@ bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<I
     }
     else
     {
-      stop = this->FreeVertexNear(curve.At(curve.Length() * i / legs - (i == legs ? 1e-12 : 0)));
+      stop = this->FreeVertexNear(curve.At(arcOf(i) - (i == legs ? 1e-12 : 0)));
     }
     if (stop < 0 || (std::find(stops.begin(), stops.end(), stop) != stops.end() &&
                       !(i == legs && (loop || cornerLoop))))
@@ -389,8 +433,7 @@ bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<I
   bool found = true;
   for (int i = 0; i < legs && found; ++i)
   {
-    Leg leg = { c, curve.Length() * i / legs, curve.Length() * (i + 1) / legs, stops[i],
-      stops[i + 1] };
+    Leg leg = { c, arcOf(i), arcOf(i + 1), stops[i], stops[i + 1] };
     leg.FirstSpoke =
       i == 0 && curve.FirstCorner >= 0 ? this->SpokeOf(curve.FirstCorner, c, false) : -1;
     leg.LastSpoke =
@@ -412,7 +455,7 @@ bool CurveRouter::RouteWithin(double reach, Index c, bool relaxed, std::vector<I
   }
   for (int i = loop ? 0 : 1; found && i < legs; ++i)
   {
-    this->SmoothJunction(c, curve.Length() * i / legs, path, relaxed, loop);
+    this->SmoothJunction(c, arcOf(i), path, relaxed, loop);
   }
   return found;
 }
@@ -542,6 +585,56 @@ void CurveRouter::Release(Index c)
   }
 }
 
+/// Releases all curves in the way of a path of @a c and returns them.
+std::vector<Index> CurveRouter::MakeWay(Index c, const std::vector<Index>& path)
+{
+  const EnforcedCurve& curve = this->Geometry.Curves()[c];
+  std::vector<Index> released;
+  const auto release = [&](Index owner, const Vec3& place) {
+    this->Contested[c].push_back(curve.Closest(place).Point);
+    this->Contested[owner].push_back(this->Contested[c].back());
+    this->Release(owner);
+    released.push_back(owner);
+  };
+  for (Index d : path)
+  {
+    const Index v = this->Graph.Head(d);
+    const Index owner = this->Owner[v];
+    if (owner >= 0 && owner != c)
+    {
+      this->History[v] += 1;
+      release(owner, this->Points[v]);
+    }
+  }
+  for (const bool atEnd : { false, true })
+  {
+    const Index corner = atEnd ? curve.LastCorner : curve.FirstCorner;
+    if (corner < 0)
+    {
+      continue;
+    }
+    const Index dart = atEnd ? this->Graph.Opposite(path.back()) : path.front();
+    const int spoke = this->SpokeOf(corner, c, atEnd);
+    const std::vector<Index>& taken = this->Taken[corner];
+    const int spokes = static_cast<int>(taken.size());
+    const int valence = this->Graph.Valence(this->CornerVertices[corner]);
+    for (int i = 1; i < 2 * spokes && !this->HasRoom(corner, spoke, dart); ++i)
+    {
+      const int ahead = i % spokes;
+      const int other = (spoke + ahead) % spokes;
+      const int steps = taken[other] < 0 ? 0 : this->Graph.Steps(dart, taken[other]);
+      const bool near = steps < ahead || valence - steps < spokes - ahead;
+      // First those that are too near, then, for the order, all.
+      if (taken[other] >= 0 && (near || i > spokes))
+      {
+        release(this->Geometry.Fans()[corner].Spokes[other].Curve,
+          this->Geometry.CornerPoint(corner));
+      }
+    }
+  }
+  return released;
+}
+
 std::vector<Index> CurveRouter::RouteAll(int maximumAttempts)
 {
   for (std::size_t corner = 0; corner < this->CornerVertices.size(); ++corner)
@@ -599,29 +692,13 @@ std::vector<Index> CurveRouter::RouteAll(int maximumAttempts)
       failed.push_back(c);
       continue;
     }
-    for (Index d : path)
+    for (Index owner : this->MakeWay(c, path))
     {
-      const Index v = this->Graph.Head(d);
-      const Index owner = this->Owner[v];
-      if (owner >= 0 && owner != c)
-      {
-        this->History[v] += 1;
-        this->Contested[c].push_back(curves[c].Closest(this->Points[v]).Point);
-        this->Contested[owner].push_back(this->Contested[c].back());
-        this->Release(owner);
-        queue.push_back(owner);
-        ++this->NumberOfReroutes;
-      }
+      queue.push_back(owner);
+      ++this->NumberOfReroutes;
     }
-    // Walls of the corners may still stand in the way of a relaxed path.
-    if (this->Route(c, false, path))
-    {
-      this->Claim(c, path);
-    }
-    else
-    {
-      failed.push_back(c);
-    }
+    std::vector<Index> better;
+    this->Claim(c, this->Route(c, false, better) ? better : path);
   }
   std::sort(failed.begin(), failed.end());
   return failed;

@@ -9,6 +9,8 @@
 #include "HexFeatures.h"
 #include "QuadGraph.h"
 
+#include <algorithm>
+
 namespace featurehex
 {
 /// Routes curves one after the other; each path is a wall for the later ones. A curve that finds no
@@ -33,23 +35,40 @@ public:
   /// Mean length of the edges at a vertex.
   double SizeAt(Index vertex) const { return this->Sizes[vertex]; }
 
+  /// The curve is so much shorter than the edges at the vertex that it can only be one of them.
+  bool IsShort(Index curve, Index vertex) const;
+
   /// Darts for the spokes of a corner's fan that keep their cyclic order and fit their directions
   /// and angles best, if the corner were at @a vertex; empty when the vertex has too few edges.
+  /// A short curve has the direction to the vertex of its other corner, once there is one.
   /// @a cost: how well they fit, 0 perfect.
   std::vector<Index> ArrangeSpokes(Index corner, Index vertex, double& cost) const;
 
 private:
   struct Leg;
 
+  /// How far from its curve a path may run.
+  struct ReachLimit
+  {
+    double EdgeLengths; ///< local ones
+    double Least;       ///< model units, however small the edges are
+    double In(double edgeLength) const
+    {
+      return std::max(this->EdgeLengths * edgeLength, this->Least);
+    }
+  };
+
   bool Route(Index curve, bool relaxed, std::vector<Index>& path);
-  bool RouteWithin(double reach, Index curve, bool relaxed, std::vector<Index>& path);
+  bool RouteFrom(double shift, Index curve, bool relaxed, std::vector<Index>& path);
   bool RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& darts);
   void SmoothJunction(Index curve, double arc, std::vector<Index>& path, bool relaxed, bool loop);
   Index FreeVertexNear(const Vec3& p) const;
-  double SpokeCost(Index corner, int spoke, Index dart) const;
+  double SpokeCost(Index corner, int spoke, Index dart, bool relaxed) const;
+  bool HasRoom(Index corner, int spoke, Index dart) const;
   int SpokeOf(Index corner, Index curve, bool atEnd) const;
   double TurnCost(Index incoming, Index outgoing) const;
   bool Passable(Index vertex, Index curve, bool relaxed) const;
+  std::vector<Index> MakeWay(Index curve, const std::vector<Index>& path);
   void Claim(Index curve, const std::vector<Index>& path);
   void Release(Index curve);
 
@@ -58,8 +77,9 @@ private:
   const FeatureGeometry& Geometry;
   const std::vector<Index>& CornerVertices;
   double Reach;
-  double CurrentReach;
+  ReachLimit CurrentReach = { 0.0, 0.0 };
   std::vector<double> Sizes;
+  double LargestSize = 0.0;
   std::vector<Index> Owner;      ///< of each vertex: curve, -1 free, -2 a corner
   /// Curve that would like to leave its corner through the vertex; -1: none.
   std::vector<Index> ReservedBy;

@@ -495,12 +495,17 @@ Mesher::Outcome Mesher::MapFeatures(Status& status)
   {
     return Outcome::Done;
   }
+  const double finest = std::ldexp(this->EdgeLength, -this->Options.MaximumLevel);
   std::set<FeatureName> failed;
+  std::set<FeatureName> hopeless; // no cells are fine enough
   for (const MappingFailure& failure : this->Mapping.Failures)
   {
-    failed.insert({ failure.Kind, failure.Id });
+    const bool unresolved = failure.Kind == FeatureKind::Curve &&
+      TooCloseForCells(*this->Enforced.Geometry(), failure.Id, finest);
+    (unresolved ? hopeless : failed).insert({ failure.Kind, failure.Id });
   }
-  if (this->Enforced.GiveUp(failed, PatientRounds))
+  const bool someHopeless = this->Enforced.GiveUp(hopeless, 1);
+  if (this->Enforced.GiveUp(failed, PatientRounds) || someHopeless)
   {
     return this->MapFeatures(status);
   }

@@ -10,6 +10,7 @@ namespace featurehex
 namespace
 {
 constexpr double SampleSpacing = 0.25; // target edge lengths, along a curve
+constexpr double NearAccuracy = 0.05; // of the distance in question
 
 struct CurveSample
 {
@@ -43,6 +44,22 @@ bool Meet(const EnforcedCurve& a, const EnforcedCurve& b)
     }
   }
   return false;
+}
+
+/// Some point of a piece of a curve is nearer than @a distance to another. Distances change by at
+/// most the way along the curve.
+bool ComesNear(const EnforcedCurve& curve, double from, double to, const EnforcedCurve& other,
+  double distance)
+{
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  const double atMiddle = other.Closest(curve.At(middle)).Distance;
+  if (atMiddle < distance || atMiddle - half > distance || half < NearAccuracy * distance)
+  {
+    return atMiddle < distance;
+  }
+  return ComesNear(curve, from, middle, other, distance) ||
+    ComesNear(curve, middle, to, other, distance);
 }
 }
 
@@ -102,5 +119,16 @@ std::vector<RefinementPoint> ComputeFeatureSizing(
     }
   }
   return points;
+}
+
+bool TooCloseForCells(const FeatureGeometry& geometry, Index curve, double size)
+{
+  const double distance = FeatureSizingOptions().CellsBetween * size;
+  const EnforcedCurve& line = geometry.Curves()[curve];
+  return std::any_of(geometry.Curves().begin(), geometry.Curves().end(),
+    [&](const EnforcedCurve& other) {
+      return &other != &line && !other.Points.empty() && !Meet(line, other) &&
+        ComesNear(line, 0.0, line.Length(), other, distance);
+    });
 }
 } // namespace featurehex

@@ -26,6 +26,10 @@ struct FeatureSizingOptions
 /// level they need; by curve, along each. Cost: O(length / edge length).
 std::vector<RefinementPoint> ComputeFeatureSizing(
   const FeatureGeometry& geometry, const FeatureSizingOptions& options);
+
+/// Cells of @a size (model units) are too large to tell a curve from others that it doesn't meet:
+/// CellsBetween of them don't fit between the two.
+bool TooCloseForCells(const FeatureGeometry& geometry, Index curve, double size);
 } // namespace featurehex
 
 #endif

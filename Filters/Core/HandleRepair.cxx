@@ -205,8 +205,8 @@ private:
     return static_cast<Index>(set.size());
   }
 
-  /// A piece of a beam or tunnel that the surface has, too: it is on its side and sees two ends that
-  /// are apart.
+  /// A piece of a beam or tunnel that the surface has, too: it is on its side and sees two ends
+  /// that are apart.
   bool IsOfSurface(const HexSet& set) const
   {
     std::vector<Index> seen;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HexFeatureMapping.h"
 
+#include "ClusterPlacement.h"
 #include "CurveRouter.h"
 #include "DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace featurehex
@@ -15,6 +17,7 @@ namespace
 {
 constexpr double WideReach = 2.5; // of the usual reach, when there is nothing within it
 constexpr int BesideRings = 3;
+constexpr std::size_t LargestCluster = 5;
 constexpr double PlaceSpacing = 1.0; // of refinement points along a curve, local edge lengths
 
 std::string At(const Vec3& p)
@@ -70,8 +73,10 @@ private:
     this->Result.Failures.push_back({ kind, id, reason, std::move(places) });
   }
   void AddCandidates(Index corner, double reach, std::vector<Candidate>& candidates) const;
+  void PlaceClusters(const std::vector<std::vector<Candidate>>& candidates);
   std::vector<Vec3> PlacesAlong(Index curve) const;
   std::vector<Vec3> PlacesOfPatch(int patch) const;
+  std::vector<Vec3> PlacesBetween(const std::vector<Index>& pieces, Index piece, int patch) const;
   std::vector<int> PatchesBesidePaths() const;
   int NearestOfGroup(int root, const Vec3& p) const;
   Vec3 Center(Index quad) const;
@@ -118,24 +123,34 @@ void Mapper::PlaceCorners()
 {
   const std::size_t count = this->Geometry.Features().Corners.size();
   std::vector<Index>& vertices = this->Result.Features.CornerVertices;
-  std::vector<Candidate> candidates;
+  std::vector<std::vector<Candidate>> candidates(count);
   for (std::size_t c = 0; c < count; ++c)
   {
     const Index corner = static_cast<Index>(c);
     if (this->Geometry.Enforced(corner))
     {
       // At the end of a thin wedge the interface may be far.
-      const std::size_t before = candidates.size();
-      this->AddCandidates(corner, this->Options.CornerReach, candidates);
-      if (candidates.size() == before)
+      this->AddCandidates(corner, this->Options.CornerReach, candidates[c]);
+      if (candidates[c].empty())
       {
-        this->AddCandidates(corner, WideReach * this->Options.CornerReach, candidates);
+        this->AddCandidates(corner, WideReach * this->Options.CornerReach, candidates[c]);
       }
+      std::sort(candidates[c].begin(), candidates[c].end());
     }
   }
-  std::sort(candidates.begin(), candidates.end());
+  this->PlaceClusters(candidates);
+  std::vector<Candidate> all;
   std::vector<bool> used(this->Mesh.Points.size(), false);
-  for (const Candidate& candidate : candidates)
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    if (vertices[c] >= 0)
+    {
+      used[vertices[c]] = true;
+    }
+    all.insert(all.end(), candidates[c].begin(), candidates[c].end());
+  }
+  std::sort(all.begin(), all.end());
+  for (const Candidate& candidate : all)
   {
     if (vertices[candidate.Corner] < 0 && !used[candidate.Vertex])
     {
@@ -153,6 +168,55 @@ void Mapper::PlaceCorners()
           std::to_string(this->Geometry.Fans()[c].Spokes.size()) +
           " curves has no free vertex with as many edges near it",
         { p });
+    }
+  }
+}
+
+/// Corners that are connected by curves much shorter than the edges: one by one they would take the
+/// nearest vertices in any order, and the curves between them would cross.
+void Mapper::PlaceClusters(const std::vector<std::vector<Candidate>>& candidates)
+{
+  const std::size_t count = candidates.size();
+  std::vector<std::vector<Index>> neighbors(count);
+  DisjointSets sets(count);
+  for (std::size_t c = 0; c < this->Geometry.Curves().size(); ++c)
+  {
+    const EnforcedCurve& curve = this->Geometry.Curves()[c];
+    const Index a = curve.FirstCorner;
+    const Index b = curve.LastCorner;
+    const auto isShort = [&](Index corner) {
+      return corner >= 0 && !candidates[corner].empty() &&
+        this->Router.IsShort(static_cast<Index>(c), candidates[corner].front().Vertex);
+    };
+    if (!curve.Points.empty() && a != b && isShort(a) && isShort(b))
+    {
+      neighbors[a].push_back(b);
+      neighbors[b].push_back(a);
+      sets.Join(a, b);
+    }
+  }
+  std::map<Index, std::vector<Index>> clusters;
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    if (!neighbors[c].empty())
+    {
+      clusters[sets.Find(static_cast<Index>(c))].push_back(static_cast<Index>(c));
+    }
+  }
+  std::set<Index> used;
+  for (const auto& entry : clusters)
+  {
+    if (entry.second.size() <= LargestCluster)
+    {
+      ClusterPlacement placement(this->Mesh.Points, this->Graph, this->Geometry, this->Router,
+        this->Result.Features.CornerVertices);
+      std::vector<Index> starts;
+      const Index root = ClusterPlacement::RootOf(entry.second, neighbors);
+      for (const Candidate& candidate : candidates[root])
+      {
+        starts.push_back(candidate.Vertex);
+      }
+      placement.Place(root, starts, neighbors, used);
     }
   }
 }
@@ -257,6 +321,67 @@ std::vector<Vec3> Mapper::PlacesOfPatch(int patch) const
   return places;
 }
 
+/// Quads on the shortest way, without crossing a path, from those beside paths that bound a patch
+/// to those beside paths that bound others, in a piece that should be several. Somewhere on it the
+/// interface hangs together where the surface doesn't.
+std::vector<Vec3> Mapper::PlacesBetween(
+  const std::vector<Index>& pieces, Index piece, int patch) const
+{
+  std::vector<bool> wall(this->Graph.NumberOfDarts(), false);
+  std::map<Index, Index> previous; // of each quad that was reached; itself: a start
+  std::set<Index> ends;
+  std::vector<Index> reached;
+  for (std::size_t c = 0; c < this->Router.Paths().size(); ++c)
+  {
+    const EnforcedCurve& curve = this->Geometry.Curves()[c];
+    for (Index d : this->Router.Paths()[c])
+    {
+      const Index other = this->Graph.Opposite(d);
+      wall[d] = wall[other] = true;
+      for (const auto& [quad, side] : { std::make_pair(d / 4, curve.LeftPatch),
+             std::make_pair(other / 4, curve.RightPatch) })
+      {
+        if (pieces[quad] != piece)
+        {
+          continue;
+        }
+        if (this->Geometry.PatchOf(side) != patch)
+        {
+          ends.insert(quad);
+        }
+        else if (previous.insert({ quad, quad }).second)
+        {
+          reached.push_back(quad);
+        }
+      }
+    }
+  }
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < reached.size() && places.empty(); ++i)
+  {
+    if (ends.count(reached[i]) > 0)
+    {
+      Index quad = reached[i];
+      places.push_back(this->Center(quad));
+      while (previous[quad] != quad)
+      {
+        quad = previous[quad];
+        places.push_back(this->Center(quad));
+      }
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      const Index dart = 4 * reached[i] + k;
+      const Index next = this->Graph.Opposite(dart) / 4;
+      if (!wall[dart] && previous.insert({ next, reached[i] }).second)
+      {
+        reached.push_back(next);
+      }
+    }
+  }
+  return places;
+}
+
 void Mapper::MatchPatches()
 {
   const std::vector<Index> pieces = this->PiecesBetweenPaths();
@@ -293,9 +418,10 @@ void Mapper::MatchPatches()
       this->Fail(FeatureKind::Curve, vote.second,
         "Curve " + std::to_string(vote.second) + " bounds patch " + std::to_string(key.second) +
           ", its path a piece of patch " + std::to_string(patchOfPiece[key.first]),
-        this->PlacesAlong(vote.second));
+        this->PlacesBetween(pieces, key.first, key.second));
     }
   }
+  const bool mismatched = !this->Result.Complete();
   std::map<int, int> piecesOfPatch;
   for (const auto& [piece, patch] : patchOfPiece)
   {
@@ -350,10 +476,11 @@ void Mapper::MatchPatches()
     if (this->Geometry.PatchOf(patch) == patch && count != 1 && (count == 0 || merged[patch] == 1))
     {
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
+      // Quads that went to another patch have failed above.
       this->Fail(FeatureKind::Surface, patch,
         "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
           (count == 0 ? "no quads" : std::to_string(count) + " pieces"),
-        places);
+        count == 0 && mismatched ? std::vector<Vec3>() : places);
     }
   }
   // Where patches were merged, the paths tell them apart near the curves.

@@ -23,7 +23,7 @@ struct FeatureMappingOptions
   /// A path stays within this many local edge lengths of its curve.
   double CurveReach = 2.5;
   /// A curve that finds no way takes it from others, which look for another one; this often.
-  int MaximumAttempts = 6;
+  int MaximumAttempts = 20;
 };
 
 /// One feature that could not be mapped.

@@ -88,7 +88,7 @@ public:
   ///@{
   /**
    * A curve that finds no way takes it from others, which look for another one; this often.
-   * Default: 6. Range: 0 to 1000.
+   * Default: 20. Range: 0 to 1000.
    */
   vtkSetClampMacro(MaximumAttempts, int, 0, 1000);
   vtkGetMacro(MaximumAttempts, int);
@@ -118,7 +118,7 @@ private:
 
   double CornerReach = 1.8;
   double CurveReach = 2.5;
-  int MaximumAttempts = 6;
+  int MaximumAttempts = 20;
   int MaximumLevel = 4;
 };
 

@@ -105,3 +105,16 @@ TEST(FeatureSizing, GivenUpCurvesNeedNothing)
   const FeatureGeometry geometry(box.Surface, box.Graph, 0.1, givenUp);
   EXPECT_TRUE(ComputeFeatureSizing(geometry, Options(1)).empty());
 }
+
+TEST(FeatureSizing, SomeCurvesAreTooCloseForCells)
+{
+  // A cell of which 0.7 fit between the long edges of the box, which are 0.4 apart.
+  const FeatureShape shape = BoxOf({ 4, 4, 0.4 });
+  const FeatureGeometry geometry(shape.Surface, shape.Graph, 0.1);
+  for (Index c = 0; c < static_cast<Index>(geometry.Curves().size()); ++c)
+  {
+    const bool across = geometry.Curves()[c].Length() < 1;
+    EXPECT_EQ(TooCloseForCells(geometry, c, 0.6), !across);
+    EXPECT_FALSE(TooCloseForCells(geometry, c, 0.55));
+  }
+}

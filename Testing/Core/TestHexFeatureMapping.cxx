@@ -3,6 +3,7 @@
 
 #include "MappingShapes.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace featurehex;
@@ -359,6 +360,35 @@ TEST(HexFeatureMapping, CurveWithoutWayBetweenTheOthers)
     EXPECT_FALSE(failure.Places.empty());
     EXPECT_NE(failure.Reason.find("finds no way"), std::string::npos);
   }
+}
+
+TEST(HexFeatureMapping, PatchesThatHangTogetherFailWhereTheyDo)
+{
+  // A plate of hexes with a tunnel from its upper to its lower side, which the surface hasn't.
+  MappingShape shape({ 7, 7, 1 });
+  shape.Mesh = LatticeMesh({ 7, 7, 1 }, [](int i, int j, int) { return i != 3 || j != 3; });
+  shape.UseMesh();
+  shape.Map();
+  ASSERT_FALSE(shape.Mapping.Complete());
+  int leaks = 0;
+  for (const MappingFailure& failure : shape.Mapping.Failures)
+  {
+    if (failure.Kind == FeatureKind::Curve)
+    {
+      ++leaks;
+      // From a side through the tunnel to the other: three quads each, and the wall.
+      EXPECT_EQ(failure.Places.size(), 7u);
+      EXPECT_TRUE(std::any_of(failure.Places.begin(), failure.Places.end(), [](const Vec3& p) {
+        return std::abs(p.x() - 3.5) <= 0.5 && std::abs(p.y() - 3.5) <= 0.5 && p.z() == 0.5;
+      }));
+    }
+    else
+    {
+      EXPECT_NE(failure.Reason.find("no quads"), std::string::npos);
+      EXPECT_TRUE(failure.Places.empty());
+    }
+  }
+  EXPECT_EQ(leaks, 1);
 }
 
 TEST(HexFeatureMapping, PatchesWithoutQuadsAndQuadsWithoutPatch)
