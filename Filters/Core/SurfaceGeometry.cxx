@@ -9,7 +9,7 @@ namespace featurehex
 namespace
 {
 /// Pieces of this many spacings are small enough for one spacing.
-constexpr double EvenPieces = 4;
+constexpr double EvenPieces = 8;
 
 /// Fills edges and triangles, without their ends and edges.
 class Sampler
