@@ -58,6 +58,7 @@ CurveRouter::CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph
   , Geometry(geometry)
   , CornerVertices(cornerVertices)
   , Reach(reach)
+  , CurrentReach(reach)
   , Sizes(points.size(), 0.0)
   , Owner(points.size(), -1)
   , ReservedBy(points.size(), -1)
@@ -75,10 +76,6 @@ CurveRouter::CurveRouter(const std::vector<Vec3>& points, const QuadGraph& graph
   {
     const Index v = graph.Tail(d);
     this->Sizes[v] += (points[graph.Head(d)] - points[v]).norm() / graph.Valence(v);
-  }
-  for (double size : this->Sizes)
-  {
-    this->LargestSize = std::max(this->LargestSize, size);
   }
 }
 
@@ -270,7 +267,7 @@ bool CurveRouter::RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& dar
     const double size = this->Sizes[head];
     const CurvePoint closest = curve.Closest(this->Points[head], leg.From, leg.To);
     const double length = (this->Points[head] - this->Points[this->Graph.Tail(dart)]).norm();
-    if ((!arrives && closest.Distance > this->CurrentReach.In(size)) ||
+    if ((!arrives && closest.Distance > this->CurrentReach * size) ||
       std::abs(closest.Arc - tailArc) > ArcSlack * length + 0.3 * size)
     {
       return;
@@ -366,15 +363,12 @@ Index CurveRouter::FreeVertexNear(const Vec3& p) const
   return best;
 }
 
-/// Along a thin wedge the interface ends far from the edge, where a wall is thinner than the finest
-/// cells it may be cells of the usual size away: looks farther when nothing is near. The stops of a
-/// loop are tried at other places then, too.
+/// Along a thin wedge the interface ends far from the edge: looks farther when nothing is near. The
+/// stops of a loop are tried at other places then, too.
 bool CurveRouter::Route(Index c, bool relaxed, std::vector<Index>& path)
 {
   const int shifts = this->Geometry.Curves()[c].Closed ? ShiftsOfLoop : 1;
-  for (const ReachLimit& reach : { ReachLimit{ this->Reach, 0.0 },
-         ReachLimit{ WideReach * this->Reach, 0.0 },
-         ReachLimit{ WideReach * this->Reach, this->Reach * this->LargestSize } })
+  for (double reach : { this->Reach, WideReach * this->Reach })
   {
     this->CurrentReach = reach;
     for (int shift = 0; shift < shifts; ++shift)

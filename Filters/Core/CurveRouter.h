@@ -9,8 +9,6 @@
 #include "HexFeatures.h"
 #include "QuadGraph.h"
 
-#include <algorithm>
-
 namespace featurehex
 {
 /// Routes curves one after the other; each path is a wall for the later ones. A curve that finds no
@@ -47,17 +45,6 @@ public:
 private:
   struct Leg;
 
-  /// How far from its curve a path may run.
-  struct ReachLimit
-  {
-    double EdgeLengths; ///< local ones
-    double Least;       ///< model units, however small the edges are
-    double In(double edgeLength) const
-    {
-      return std::max(this->EdgeLengths * edgeLength, this->Least);
-    }
-  };
-
   bool Route(Index curve, bool relaxed, std::vector<Index>& path);
   bool RouteFrom(double shift, Index curve, bool relaxed, std::vector<Index>& path);
   bool RouteLeg(const Leg& leg, bool relaxed, std::vector<Index>& darts);
@@ -77,9 +64,8 @@ private:
   const FeatureGeometry& Geometry;
   const std::vector<Index>& CornerVertices;
   double Reach;
-  ReachLimit CurrentReach = { 0.0, 0.0 };
+  double CurrentReach;
   std::vector<double> Sizes;
-  double LargestSize = 0.0;
   std::vector<Index> Owner;      ///< of each vertex: curve, -1 free, -2 a corner
   /// Curve that would like to leave its corner through the vertex; -1: none.
   std::vector<Index> ReservedBy;
