@@ -36,22 +36,6 @@ void Follow(const HexMesh& mesh, const HexStars& stars, const std::vector<Index>
     }
   }
 }
-
-/// Marks the vertices of the hexes round marked ones.
-void Grow(const HexMesh& mesh, std::vector<char>& marked)
-{
-  const std::vector<char> before = marked;
-  for (const Hex& hex : mesh.Hexes)
-  {
-    if (std::any_of(hex.begin(), hex.end(), [&before](Index v) { return before[v] != 0; }))
-    {
-      for (Index v : hex)
-      {
-        marked[v] = 1;
-      }
-    }
-  }
-}
 }
 
 CarriedPositions::Vertex CarriedPositions::VertexAt(
@@ -103,10 +87,7 @@ std::vector<char> CarriedPositions::Apply(
       changed[v] = 1;
     }
   }
-  for (int ring = 0; ring < Rings; ++ring)
-  {
-    Grow(mesh, changed);
-  }
+  MarkRings(mesh, Rings, changed);
   if (std::count(changed.begin(), changed.end(), 1) > MaximumShare * changed.size())
   {
     return {};

@@ -34,7 +34,7 @@ constexpr double LabelBias = 0.1;        // local cells (recipe-pipeline 2.3)
 constexpr double FarFromOrigin = 100;    // diagonals
 /// Of the wanted minimum scaled Jacobian: below, cells get finer.
 constexpr double AcceptableShare = 0.92;
-constexpr double SagShare = 1.6; // of the tolerance: where flat quads sag by more, cells are finer
+constexpr double SagShare = 2.2; // of the tolerance: where flat quads sag by more, cells are finer
 constexpr int MaximumCurvatureLevel = 2;
 constexpr double StuckBand = 0.05;       // above the minimum
 constexpr int MaximumQualityRounds = 4;

@@ -28,7 +28,7 @@ constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
 constexpr double HopelessShare = 0.97;
 constexpr double SnapFloor = 0.05; // scaled Jacobian that a snapped feature vertex must leave
-constexpr Index FewHexes = 150; // patches only when fewer hexes are below the target
+constexpr std::size_t FewHexes = 150; // patches only when fewer hexes are below the target
 
 /// True when the minimum has not risen for several sweeps: another stage may free what is stuck.
 class StallRule
@@ -61,22 +61,39 @@ public:
     , Schedule(mesh.Hexes, stars.Hexes, 3)
     , Vertices(mesh, stars, envelope,
         options.EnvelopeShare * options.Tolerance * surface.Diagonal(), options.Features)
+    , Active(mesh.Hexes.size(), 1)
     , Qualities(mesh.Hexes.size())
     , Chosen(mesh.Points.size())
     , Start(mesh.Points)
   {
+    if (options.Changed)
+    {
+      for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
+      {
+        const Hex& hex = mesh.Hexes[h];
+        this->Active[h] = std::any_of(
+          hex.begin(), hex.end(), [&options](Index v) { return (*options.Changed)[v] != 0; });
+      }
+    }
     this->UpdateQualities();
   }
 
+  /// Minimum of all hexes, and how many are below the target.
+  double ReportAll(double target, Index& below) const
+  {
+    std::vector<double> qualities(this->Mesh.Hexes.size());
+    ParallelFor(qualities.size(), 1024, [&](std::size_t h) {
+      qualities[h] = LeastScaledJacobian(this->Mesh, static_cast<Index>(h));
+    });
+    below = static_cast<Index>(std::count_if(qualities.begin(), qualities.end(),
+      [target](double quality) { return quality < target; }));
+    return *std::min_element(qualities.begin(), qualities.end());
+  }
+
+  /// Of the hexes that may change.
   double Minimum() const
   {
     return *std::min_element(this->Qualities.begin(), this->Qualities.end());
-  }
-
-  Index CountBelow(double level) const
-  {
-    return static_cast<Index>(std::count_if(this->Qualities.begin(), this->Qualities.end(),
-      [level](double quality) { return quality < level; }));
   }
 
   /// Quads beyond the limit are drawn back (env).
@@ -216,10 +233,10 @@ public:
   /// Newton on small neighbourhoods of the worst hexes.
   void SolvePatches(double target)
   {
-    if (this->CountBelow(target) < FewHexes)
+    if (this->Below(target).size() < FewHexes)
     {
       PatchImprover patches(this->Mesh, this->Stars, this->Envelope, this->Vertices);
-      patches.RaiseWorst(target, this->Options.MaximumPatches, this->Progress);
+      patches.RaiseWorst(this->Below(target), target, this->Options.MaximumPatches, this->Progress);
       this->UpdateQualities();
     }
   }
@@ -296,11 +313,30 @@ private:
     return hexes;
   }
 
+  /// Those that stay count as perfect; none stays once a vertex of it has been moved.
   void UpdateQualities()
   {
     ParallelFor(this->Mesh.Hexes.size(), 1024, [this](std::size_t h) {
-      this->Qualities[h] = LeastScaledJacobian(this->Mesh, static_cast<Index>(h));
+      const Hex& hex = this->Mesh.Hexes[h];
+      this->Active[h] = this->Active[h] || std::any_of(hex.begin(), hex.end(), [this](Index v) {
+        return this->Mesh.Points[v] != this->Start[v];
+      });
+      this->Qualities[h] =
+        this->Active[h] ? LeastScaledJacobian(this->Mesh, static_cast<Index>(h)) : 1.0;
     });
+  }
+
+  std::vector<Index> Below(double level) const
+  {
+    std::vector<Index> hexes;
+    for (std::size_t h = 0; h < this->Qualities.size(); ++h)
+    {
+      if (this->Qualities[h] < level)
+      {
+        hexes.push_back(static_cast<Index>(h));
+      }
+    }
+    return hexes;
   }
 
   /// Vertices that are new or have moved, and those round them.
@@ -330,14 +366,11 @@ private:
   void ChooseBelow(double level)
   {
     std::fill(this->Chosen.begin(), this->Chosen.end(), 0);
-    for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
+    for (Index h : this->Below(level))
     {
-      if (this->Qualities[h] < level)
+      for (Index v : this->Mesh.Hexes[h])
       {
-        for (Index v : this->Mesh.Hexes[h])
-        {
-          this->Chosen[v] = 1;
-        }
+        this->Chosen[v] = 1;
       }
     }
   }
@@ -357,6 +390,7 @@ private:
   Monitor& Progress;
   VertexSchedule Schedule;
   VertexImprover Vertices;
+  std::vector<char> Active; ///< hexes that are improved
   std::vector<double> Qualities;
   std::vector<char> Chosen;
   const std::vector<Vec3> Start;
@@ -374,7 +408,8 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     return Status();
   }
   Improvement improvement(mesh, stars, surface, envelope, options, monitor);
-  report.MinimumBefore = report.MinimumAfter = improvement.Minimum();
+  const double target = options.MinimumScaledJacobian;
+  report.MinimumBefore = report.MinimumAfter = improvement.ReportAll(target, report.BelowTarget);
   improvement.Certify();
   improvement.DrawInside();
   report.Distance = improvement.Distance();
@@ -385,7 +420,6 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     return monitor.StopStatus(); // only other cells can help: spend no time on quality
   }
 
-  const double target = options.MinimumScaledJacobian;
   double last = improvement.Minimum();
   int stalled = 0;
   for (int round = 0; round < options.MaximumRounds && stalled < 2; ++round)
@@ -436,8 +470,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     improvement.PushBarrier(target, LastGap);
   }
   report.Distance = improvement.Distance();
-  report.MinimumAfter = improvement.Minimum();
-  report.BelowTarget = improvement.CountBelow(target);
+  report.MinimumAfter = improvement.ReportAll(target, report.BelowTarget);
   return Status();
 }
 }

@@ -45,4 +45,22 @@ HexStars::HexStars(const HexMesh& mesh)
     this->QuadNeighbors.Offsets.push_back(static_cast<Index>(this->QuadNeighbors.Ids.size()));
   }
 }
+
+void MarkRings(const HexMesh& mesh, int rings, std::vector<char>& marked)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::vector<char> before = marked;
+    for (const Hex& hex : mesh.Hexes)
+    {
+      if (std::any_of(hex.begin(), hex.end(), [&before](Index v) { return before[v] != 0; }))
+      {
+        for (Index v : hex)
+        {
+          marked[v] = 1;
+        }
+      }
+    }
+  }
+}
 }

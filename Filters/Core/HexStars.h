@@ -54,6 +54,9 @@ struct HexStars
 
   bool OnBoundary(Index v) const { return this->QuadsOfVertex[v].size() > 0; }
 };
+
+/// Marks the vertices of the hexes round marked vertices, this many times.
+void MarkRings(const HexMesh& mesh, int rings, std::vector<char>& marked);
 }
 
 #endif

@@ -157,10 +157,11 @@ PatchImprover::PatchImprover(
 {
 }
 
-void PatchImprover::RaiseWorst(double target, int maximumPatches, Monitor& monitor)
+void PatchImprover::RaiseWorst(
+  const std::vector<Index>& hexes, double target, int maximumPatches, Monitor& monitor)
 {
   std::set<std::pair<double, Index>> queue;
-  for (Index h = 0; h < static_cast<Index>(this->Mesh.Hexes.size()); ++h)
+  for (Index h : hexes)
   {
     const double quality = LeastScaledJacobian(this->Mesh, h);
     if (quality < target)

@@ -21,8 +21,9 @@ public:
   PatchImprover(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope,
     const VertexImprover& vertices);
 
-  /// Worst hex first, until none is below @a target or @a maximumPatches are solved.
-  void RaiseWorst(double target, int maximumPatches, Monitor& monitor);
+  /// Worst hex first, until none of @a hexes is below @a target or @a maximumPatches are solved.
+  void RaiseWorst(
+    const std::vector<Index>& hexes, double target, int maximumPatches, Monitor& monitor);
 
 private:
   struct Patch;

@@ -20,6 +20,7 @@ constexpr double LeastSampleSpacing = 0.5;
 constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
+constexpr int RingsRoundUnproven = 3; // of hexes, improved again after a failed proof
 constexpr int RoundsAfterProof = 3; // of improvement: most was done before the proof
 /// Of the tolerance: what is proven. The rest is for the rounding of coordinates in files, and for
 /// other programs whose bounds have a slack of one percent.
@@ -64,6 +65,29 @@ std::vector<Vec3> SampleLike(const SurfaceGeometry& surface, const HexMesh& mesh
     }
     return std::max(leastSpacing, 0.25 * perimeter / SamplesPerQuadSide);
   });
+}
+/// 1 for the vertices round the places of a failed proof.
+std::vector<char> VerticesNear(
+  const DistanceDecision& decision, const HexMesh& mesh, const std::vector<Quad>& quads)
+{
+  std::vector<char> near(mesh.Points.size(), 0);
+  const auto mark = [&](const Quad& quad) {
+    for (Index v : quad)
+    {
+      near[v] = 1;
+    }
+  };
+  for (const DistanceWitness& w : decision.Quads)
+  {
+    mark(quads[w.Element]);
+  }
+  const QuadSearch search(mesh, quads);
+  for (const DistanceWitness& w : decision.Triangles)
+  {
+    mark(quads[search.Closest(w.Point)]);
+  }
+  MarkRings(mesh, RingsRoundUnproven, near);
+  return near;
 }
 }
 
@@ -116,6 +140,7 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
   improvement.MaximumRounds = this->Options.ImprovementRounds;
   improvement.Features = features;
   improvement.Changed = changed;
+  std::vector<char> unproven;
   const double width = (1 - FittingShare) / MaximumProofs;
   for (int proof = 0; proof < MaximumProofs; ++proof)
   {
@@ -161,7 +186,12 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     {
       break;
     }
-    improvement.EnvelopeShare -= ShareStep;
+    if (proof > 0)
+    {
+      improvement.EnvelopeShare -= ShareStep;
+    }
+    unproven = VerticesNear(decision, mesh, stars.Quads);
+    improvement.Changed = &unproven;
     improvement.MaximumRounds = std::min(improvement.MaximumRounds, RoundsAfterProof);
   }
   return Status();
