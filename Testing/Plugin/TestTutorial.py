@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The steps of Filters/Documentation/tutorial-paraview.md, done in ParaView's window; the pictures
-of the page are what the window shows. With FEATUREHEX_UPDATE=1 in the environment they are written
-anew."""
+of the page are what the window shows. With FEATUREHEX_UPDATE_PICTURES=1 in the environment they are
+written anew."""
 import os
 
 import interface
@@ -82,8 +82,7 @@ def main():
     for name in NAMES:
         image = window.image(name)
         path = os.path.join(PICTURES, f"tutorial-{name}.png")
-        if os.environ.get("FEATUREHEX_UPDATE"):
-            interface.write_png(path, image)
+        window.document(name, "tutorial-" + name)
         wanted = interface.read_png(path)
         assert wanted.shape == image.shape, name
         # Lists, buttons and numbers are drawn with the fonts of the machine; the view is not.
