@@ -23,7 +23,7 @@ constexpr double LastGap = 0.003; // of the barrier below the minimum
 constexpr int OtherSweeps = 12;
 constexpr double AcceptableShare = 0.8; // of the target: what may be given up for the surface
 constexpr int CertifySweeps = 20;
-constexpr int AverageSweeps = 8;
+constexpr int AverageSweeps = 12;
 constexpr int ProjectionSweeps = 2;
 /// Of the tolerance: no certificate is possible when samples are as far as this.
 constexpr double HopelessShare = 0.97;

@@ -18,8 +18,11 @@ constexpr double NearLimit = 0.6;       // share of the limit from which contact
 constexpr double DrawPullStart = 0.9;
 constexpr double DrawNearLimit = 0.85;
 constexpr double AveragePull = 1000.0; // of the surface term of RaiseAverage, per corner
-/// Of the squared angle errors, (1 - scaled Jacobian)^2, in RaiseAverage ...
-constexpr double AngleWeight = 20.0;
+/// Of the squared angle errors, (1 - scaled Jacobian)^2, in RaiseAverage: at the worst corner of a
+/// hex, which decides its quality; this share of it at perfect corners ...
+constexpr double AngleWeight = 30.0;
+constexpr double LeastCornerShare = 0.3;
+constexpr int CornersPerHex = 4; // that change with one of its vertices
 /// ... and of the distortion, which alone would trade angles for equal edges.
 constexpr double DistortionWeight = 0.05;
 constexpr double MipsScale = 0.19245008972987526; // 3^(-3/2)
@@ -121,6 +124,7 @@ struct VertexImprover::Corner
   double Product = 0;         ///< ... of their lengths ...
   double Squares = 0;         ///< ... and the sum of their squared lengths
   double Value = 0;           ///< scaled Jacobian at the start
+  double Weight = 1;          ///< of its squared angle error in RaiseAverage
 
   double ScaledJacobian(const Vec3& x) const
   {
@@ -224,7 +228,7 @@ struct VertexImprover::Corner
   double MeanEnergy(const Vec3& x) const
   {
     const double error = 1 - this->ScaledJacobian(x);
-    return AngleWeight * error * error + DistortionWeight * this->Distortion(x);
+    return AngleWeight * this->Weight * error * error + DistortionWeight * this->Distortion(x);
   }
 
   void DistortionDerivatives(const Vec3& x, Vec3& gradient, Mat3& hessian) const
@@ -276,7 +280,7 @@ struct VertexImprover::Star
   double Length = 0;   ///< mean edge length at the start of the improvement
   double Shortest = 0; ///< shortest edge now
   double Least = 2;    ///< least scaled Jacobian of the corners
-  std::vector<Corner> Corners;
+  std::vector<Corner> Corners; ///< CornersPerHex for each hex of the vertex
   std::vector<Pull> Pulls;
   std::vector<EnvelopeContact> Contacts;
   double Limit = 0; ///< the envelope's, or the distance now where that is beyond
@@ -607,8 +611,9 @@ VertexImprover::Model VertexImprover::MeanModel(const Star& star)
     Mat3 h;
     corner.Derivatives(star.Position, g, h);
     model.Energy += corner.MeanEnergy(star.Position);
-    model.Gradient -= 2 * AngleWeight * (1 - corner.Value) * g;
-    model.Hessian += 2 * AngleWeight * (g * g.transpose() - (1 - corner.Value) * h);
+    const double weight = 2 * AngleWeight * corner.Weight;
+    model.Gradient -= weight * (1 - corner.Value) * g;
+    model.Hessian += weight * (g * g.transpose() - (1 - corner.Value) * h);
   }
   return model;
 }
@@ -737,6 +742,22 @@ bool VertexImprover::DrawInside(Index vertex, double weight)
   });
 }
 
+/// The nearer a corner's error is to the greatest one of its hex, the more it counts.
+void VertexImprover::WeighCorners(Index vertex, Star& star) const
+{
+  std::size_t corner = 0;
+  for (Index h : this->Stars.Hexes[vertex])
+  {
+    const double worst = 1 - LeastScaledJacobian(this->Mesh, h);
+    for (int k = 0; k < CornersPerHex; ++k, ++corner)
+    {
+      const double share = worst > 0 ? (1 - star.Corners[corner].Value) / worst : 1.0;
+      const double square = share * share;
+      star.Corners[corner].Weight = LeastCornerShare + (1 - LeastCornerShare) * square * square;
+    }
+  }
+}
+
 bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, double floor)
 {
   if (this->Pinned(vertex))
@@ -745,6 +766,7 @@ bool VertexImprover::RaiseAverage(Index vertex, const SurfaceGeometry& surface, 
   }
   static thread_local Star star;
   this->Gather(vertex, star);
+  this->WeighCorners(vertex, star);
   Model model = MeanModel(star);
   double weight = 0;
   TrianglePoint anchor;

@@ -85,6 +85,7 @@ private:
   TrianglePoint ClosestOnSurface(
     Index vertex, const Vec3& p, const SurfaceGeometry& surface, Vec3& normal);
   void Gather(Index vertex, Star& star) const;
+  void WeighCorners(Index vertex, Star& star) const;
   void GatherPulls(Index vertex, double threshold, Star& star);
   template <typename Accept>
   bool Search(Index vertex, const Star& star, const Vec3& step, int trials, const Accept& accept,
