@@ -66,7 +66,7 @@ public:
     , Chosen(mesh.Points.size())
     , Start(mesh.Points)
   {
-    if (options.Changed)
+    if (options.Changed && options.OnlyChanged)
     {
       for (std::size_t h = 0; h < mesh.Hexes.size(); ++h)
       {

@@ -28,9 +28,11 @@ struct ImprovementOptions
   /// Feature vertices that are locked slide on their features only; others are put there as soon as
   /// that keeps the mesh valid. May be null.
   FeatureTargets* Features = nullptr;
-  /// 1 for vertices whose hexes are improved and which are put on the surface; null: all. The others
-  /// are drawn inside the tolerance and stay valid, and are moved on where their neighbours move.
+  /// 1 for vertices whose mean quality is raised and which are put on the surface; null: all. For
+  /// the others that is done (CarriedPositions.h), unless they are moved by the rest.
   const std::vector<char>* Changed = nullptr;
+  /// Raise the minimum, too, only in the hexes of those and where vertices are moved.
+  bool OnlyChanged = false;
 };
 
 /// What the improvement reached.

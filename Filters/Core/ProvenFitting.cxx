@@ -17,6 +17,9 @@ constexpr double RefineBeyondWithFeatures = 4.0; // vertices beside creases arri
 /// than this many tolerances.
 constexpr double SamplesPerQuadSide = 8;
 constexpr double LeastSampleSpacing = 0.5;
+/// The same round a witness of a failed proof, and how many of them each way.
+constexpr double WitnessSpacing = 0.25;
+constexpr int WitnessNeighbors = 6;
 constexpr Index QuadsPerQuestion = 1000;
 constexpr int QuadGrid = 7;           // samples per quad side (recipe-quality 3)
 constexpr int MaximumProofs = 6;
@@ -130,6 +133,33 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
     : Status();
 }
 
+/// The distance has its maximum between the samples near a witness, and another one once the
+/// boundary has followed it: samples along the edges' directions, on both sides, in its triangle.
+void ProvenFitting::AddSamplesRound(const DistanceWitness& witness)
+{
+  const auto add = [this](const Vec3& p) {
+    this->Samples.push_back(p);
+    this->Witnesses.push_back(p);
+  };
+  add(witness.Point);
+  const Triangle& t = this->Surface.Mesh().Triangles[witness.Element];
+  const double step = WitnessSpacing * this->AbsoluteTolerance();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3 edge =
+      this->Surface.Mesh().Points[t[(k + 1) % 3]] - this->Surface.Mesh().Points[t[k]];
+    for (int i = -WitnessNeighbors; i <= WitnessNeighbors; ++i)
+    {
+      const Vec3 p = witness.Point + i * step * edge.normalized();
+      const TrianglePoint inside = this->Surface.Search().ClosestOn(p, witness.Element);
+      if (i != 0 && inside.Distance < 0.5 * step)
+      {
+        add(inside.Point);
+      }
+    }
+  }
+}
+
 Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
   FeatureTargets* features, const std::vector<char>* changed, ProvenFittingReport& report,
   Monitor& monitor)
@@ -175,8 +205,7 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     for (const DistanceWitness& w : decision.Triangles)
     {
       report.Places.push_back(w.Point);
-      this->Samples.push_back(w.Point);
-      this->Witnesses.push_back(w.Point);
+      this->AddSamplesRound(w);
     }
     for (const DistanceWitness& w : decision.Quads)
     {
@@ -192,6 +221,7 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     }
     unproven = VerticesNear(decision, mesh, stars.Quads);
     improvement.Changed = &unproven;
+    improvement.OnlyChanged = true;
     improvement.MaximumRounds = std::min(improvement.MaximumRounds, RoundsAfterProof);
   }
   return Status();

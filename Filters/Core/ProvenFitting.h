@@ -57,6 +57,7 @@ public:
 
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
+  void AddSamplesRound(const DistanceWitness& witness);
   Status ImproveAndProve(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
     const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
 
