@@ -59,8 +59,9 @@ std::vector<Vec3> SampleLike(const SurfaceGeometry& surface, const HexMesh& mesh
   const std::vector<Quad>& quads, double leastSpacing)
 {
   const QuadSearch search(mesh, quads);
+  Index near = -1; // where the sample before was
   return surface.Samples([&](const Vec3& p) {
-    const Quad& quad = quads[search.Closest(p)];
+    const Quad& quad = quads[search.Closest(p, near)];
     double perimeter = 0;
     for (int k = 0; k < 4; ++k)
     {
@@ -113,9 +114,9 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
   fitting.Changed = unfitted;
+  SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &monitor);
   {
     SubMonitor part(monitor, 0.0, FittingShare);
-    SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
     Status status = FitHexes(mesh, stars, this->Surface, features, envelope, fitting, part);
     if (!status.Ok())
     {
@@ -129,7 +130,7 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
     return monitor.StopStatus();
   }
   return report.Places.empty()
-    ? this->ImproveAndProve(mesh, stars, features, changed, report, monitor)
+    ? this->ImproveAndProve(mesh, stars, envelope, features, changed, report, monitor)
     : Status();
 }
 
@@ -161,8 +162,8 @@ void ProvenFitting::AddSamplesRound(const DistanceWitness& witness)
 }
 
 Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
-  FeatureTargets* features, const std::vector<char>* changed, ProvenFittingReport& report,
-  Monitor& monitor)
+  SurfaceEnvelope& envelope, FeatureTargets* features, const std::vector<char>* changed,
+  ProvenFittingReport& report, Monitor& monitor)
 {
   ImprovementOptions improvement;
   improvement.Tolerance = this->Options.Tolerance;
@@ -178,7 +179,10 @@ Status ProvenFitting::ImproveAndProve(HexMesh& mesh, const HexStars& stars,
     if (this->Options.MinimumScaledJacobian > 0)
     {
       SubMonitor part(monitor, start, start + 0.8 * width);
-      SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &part);
+      if (proof > 0)
+      {
+        envelope.Rebuild(); // with the new samples
+      }
       Status status = ImproveHexes(
         mesh, stars, this->Surface, envelope, improvement, report.Improvement, part);
       if (!status.Ok())

@@ -58,8 +58,9 @@ public:
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
   void AddSamplesRound(const DistanceWitness& witness);
-  Status ImproveAndProve(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-    const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
+  Status ImproveAndProve(HexMesh& mesh, const HexStars& stars, SurfaceEnvelope& envelope,
+    FeatureTargets* features, const std::vector<char>* changed, ProvenFittingReport& report,
+    Monitor& monitor);
 
   const SurfaceGeometry& Surface;
   ProvenFittingOptions Options;

@@ -23,6 +23,6 @@ QuadSearch::QuadSearch(const HexMesh& mesh, const std::vector<Quad>& quads)
       triangles.push_back({ first + k, first + (k + 1) % 4, first + 4 });
     }
   }
-  this->Fans = TriangleSearch(std::move(points), std::move(triangles));
+  this->Fans = TriangleSearch(std::move(points), std::move(triangles), SearchBuild::Quick);
 }
 }

@@ -10,6 +10,8 @@ namespace featurehex
 {
 namespace
 {
+constexpr std::size_t SamplesPerRun = 256;
+
 Vec3 Weighted(const HexMesh& mesh, const Quad& quad, const std::array<double, 4>& weights)
 {
   return weights[0] * mesh.Points[quad[0]] + weights[1] * mesh.Points[quad[1]] +
@@ -24,9 +26,7 @@ SurfaceEnvelope::SurfaceEnvelope(const SurfaceGeometry& surface, const std::vect
   , Mesh(mesh)
   , Stars(stars)
   , Progress(monitor)
-  , Witnesses(samples.size())
   , FirstSample(stars.Quads.size(), -1)
-  , NextSample(samples.size(), -1)
   , Forward(stars.Quads.size(), 1e300)
   , Reverse(stars.Quads.size(), 1e300)
 {
@@ -40,7 +40,6 @@ SurfaceEnvelope::SurfaceEnvelope(const SurfaceGeometry& surface, const std::vect
     }
   }
   this->Hints.assign(stars.Quads.size() * this->GridWeights.size(), -1);
-  this->Rebuild();
 }
 
 Vec3 SurfaceEnvelope::GridPoint(Index quad, int i) const
@@ -131,6 +130,7 @@ double SurfaceEnvelope::MeasureForward(
   Index quad, double enough, Purpose purpose, std::vector<EnvelopeContact>* contacts)
 {
   double largest = 0;
+  Index near = -1; // the triangle of the point before: a point that has none yet looks there first
   const int count = static_cast<int>(this->GridWeights.size());
   for (int i = 0; i < count; ++i)
   {
@@ -143,9 +143,10 @@ double SurfaceEnvelope::MeasureForward(
     }
     if (found.Distance > enough)
     {
-      found = this->Surface.Search().Closest(p, hint);
+      found = this->Surface.Search().Closest(p, hint >= 0 ? hint : near);
       hint = found.Triangle;
     }
+    near = hint;
     largest = std::max(largest, found.Distance);
     if (purpose == Purpose::Decision && largest > enough)
     {
@@ -207,7 +208,6 @@ void SurfaceEnvelope::LinkSamples(const std::vector<Index>& owners)
     this->NextSample[s] = this->FirstSample[owners[s]];
     this->FirstSample[owners[s]] = static_cast<Index>(s);
   }
-  std::fill(this->Forward.begin(), this->Forward.end(), 1e300);
   std::fill(this->Reverse.begin(), this->Reverse.end(), 1e300);
 }
 
@@ -239,9 +239,20 @@ void SurfaceEnvelope::Rebuild()
     return;
   }
   const QuadSearch search(this->Mesh, this->Stars.Quads);
+  this->Closest.resize(this->Samples.size(), -1);
+  this->Witnesses.resize(this->Samples.size());
+  this->NextSample.resize(this->Samples.size(), -1);
   std::vector<Index> owners(this->Samples.size());
-  ParallelFor(this->Samples.size(), 1024, this->Progress, [&](std::size_t s) {
-    owners[s] = search.Closest(this->Samples[s]);
+  const std::size_t runs = (this->Samples.size() + SamplesPerRun - 1) / SamplesPerRun;
+  ParallelFor(runs, 4, this->Progress, [&](std::size_t run) {
+    const std::size_t last = std::min((run + 1) * SamplesPerRun, this->Samples.size());
+    Index near = -1; // samples in a row are often near each other
+    for (std::size_t s = run * SamplesPerRun; s < last; ++s)
+    {
+      near = this->Closest[s] >= 0 ? this->Closest[s] : near;
+      owners[s] = search.Closest(this->Samples[s], near);
+      this->Closest[s] = near;
+    }
   });
   this->LinkSamples(owners);
 }

@@ -36,12 +36,15 @@ struct EnvelopeContact
 class SurfaceEnvelope
 {
 public:
-  /// Keeps references. @a grid: points per quad side, >= 2. @a monitor is asked during Rebuild(),
-  /// Update() and Measure(); when it says stop they end early, and what this object knows is wrong.
+  /// Keeps references; nothing is known before Rebuild(). @a grid: points per quad side, >= 2.
+  /// @a monitor is asked during Rebuild(), Update() and Measure(); when it says stop they end
+  /// early, and what this object knows is wrong.
   SurfaceEnvelope(const SurfaceGeometry& surface, const std::vector<Vec3>& samples,
     const HexMesh& mesh, const HexStars& stars, int grid, Monitor* monitor = nullptr);
 
-  /// Give each sample to its closest quad (search over the whole boundary). Bounds become unknown.
+  /// Give each sample, new ones at the end of the samples included, to its closest quad (search
+  /// over the whole boundary). Bounds of their distances become unknown; those of the points of the
+  /// quads stay: vertices move by AcceptMove() only, once the first Measure() has been called.
   void Rebuild();
 
   /// As Rebuild(), but each sample farther than @a enough walks from its quad to closer ones next
@@ -108,6 +111,7 @@ private:
   const HexStars& Stars;
   Monitor* Progress;
   std::vector<std::array<double, 4>> GridWeights;
+  std::vector<Index> Closest;      ///< of each sample, among the triangles of the last Rebuild()
   std::vector<Witness> Witnesses;  ///< of each sample
   std::vector<Index> Hints;        ///< closest triangle of each grid point of each quad
   std::vector<Index> FirstSample;  ///< of each quad, -1: none

@@ -281,6 +281,7 @@ TEST(FeatureTargets, LockedVerticesStayOnTheirFeaturesInImprovement)
   HexMesh& mesh = setting.Shape.Mesh;
   SurfaceEnvelope envelope(surface, samples, mesh, setting.Stars, 4);
   envelope.Rebuild();
+  envelope.Rebuild();
   envelope.Measure(0.0);
   VertexImprover improver(mesh, setting.Stars, envelope, 0.5, &setting.Targets);
   for (int round = 0; round < 3; ++round)
@@ -320,6 +321,7 @@ TEST(FeatureTargets, ImprovementLocksVerticesThatArrive)
   const SurfaceGeometry surface(setting.Shape.Surface);
   const std::vector<Vec3> samples = surface.Samples(0.3);
   SurfaceEnvelope envelope(surface, samples, mesh, setting.Stars, 4);
+  envelope.Rebuild();
   envelope.Rebuild();
   envelope.Measure(0.0);
   VertexImprover improver(mesh, setting.Stars, envelope, 0.5, &setting.Targets);

@@ -35,6 +35,7 @@ struct Setting
     , Envelope(Surface, Samples, Mesh, Stars, GridSize)
   {
     this->Options.Tolerance = Tolerance;
+    this->Envelope.Rebuild();
   }
 
   double Limit() const { return this->Options.Tolerance * this->Surface.Diagonal(); }

@@ -104,6 +104,7 @@ TEST(SurfaceEnvelope, MeasuresAsBruteForceDoes)
 {
   Setting setting;
   SurfaceEnvelope envelope(setting.Surface, setting.Samples, setting.Mesh, setting.Stars, Grid);
+  envelope.Rebuild();
   EXPECT_GT(envelope.ForwardMaximum(), 1e200) << "unknown until measured";
   envelope.Measure(0.0);
   EXPECT_NEAR(envelope.ForwardMaximum(), setting.ForwardAll(), 1e-12);
@@ -114,6 +115,7 @@ TEST(SurfaceEnvelope, BoundsHoldAfterManyMoves)
 {
   Setting setting;
   SurfaceEnvelope envelope(setting.Surface, setting.Samples, setting.Mesh, setting.Stars, Grid);
+  envelope.Rebuild();
   envelope.Measure(0.0);
   const double limit = 1.2 * std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
   std::mt19937 random(5);
@@ -170,6 +172,7 @@ TEST(SurfaceEnvelope, RejectsAMoveOutOfTheLimit)
 {
   Setting setting;
   SurfaceEnvelope envelope(setting.Surface, setting.Samples, setting.Mesh, setting.Stars, Grid);
+  envelope.Rebuild();
   envelope.Measure(0.0);
   const double limit = 1.1 * std::max(envelope.ForwardMaximum(), envelope.ReverseMaximum());
   const Index v = setting.Stars.Quads[0][0];
@@ -186,6 +189,7 @@ TEST(SurfaceEnvelope, CollectsAllContactsBeyondAThreshold)
   Setting setting;
   setting.Mesh.Points[setting.Stars.Quads[7][1]] *= 1.3;
   SurfaceEnvelope envelope(setting.Surface, setting.Samples, setting.Mesh, setting.Stars, Grid);
+  envelope.Rebuild();
   const double threshold = 0.1;
   std::vector<EnvelopeContact> contacts;
   double farthest = 0;
@@ -215,6 +219,7 @@ TEST(SurfaceEnvelope, UpdateFindsCloserQuads)
 {
   Setting setting;
   SurfaceEnvelope envelope(setting.Surface, setting.Samples, setting.Mesh, setting.Stars, Grid);
+  envelope.Rebuild();
   // All turn about an axis by half a hex: the owners are wrong now.
   const Mat3 turn = Eigen::AngleAxisd(0.15, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   for (Vec3& p : setting.Mesh.Points)
