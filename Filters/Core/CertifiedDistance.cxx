@@ -456,40 +456,51 @@ void BuildTarget(const Elements& quads, double error, QuadTarget& result)
       break;
     }
   }
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-  std::vector<double>& slack = result.Target.Slack;
+  // Where the points and triangles of each patch begin.
+  std::vector<Index> firstPoint(quads.Size() + 1, 0);
+  std::vector<Index> firstTriangle(quads.Size() + 1, 0);
   for (std::size_t q = 0; q < quads.Size(); ++q)
   {
+    const PatchSplit split(quads, q, error);
+    firstPoint[q + 1] = firstPoint[q] + (split.N + 1) * (split.M + 1) + split.N * split.M;
+    firstTriangle[q + 1] = firstTriangle[q] + 4 * split.N * split.M;
+    result.Target.LargestSlack = std::max(result.Target.LargestSlack, split.Error);
+  }
+  std::vector<Vec3> points(firstPoint.back());
+  std::vector<Triangle> triangles(firstTriangle.back());
+  std::vector<double>& slack = result.Target.Slack;
+  slack.resize(triangles.size());
+  ParallelFor(quads.Size(), 256, [&](std::size_t q) {
     const PatchSplit split(quads, q, error);
     const int n = split.N;
     const int m = split.M;
     const Vec3* p = split.Corner.data();
-    const auto base = static_cast<Index>(points.size());
+    const Index base = firstPoint[q];
     for (int j = 0; j <= m; ++j)
     {
       for (int i = 0; i <= n; ++i)
       {
-        points.push_back(Bilinear(p, static_cast<double>(i) / n, static_cast<double>(j) / m));
+        points[base + j * (n + 1) + i] =
+          Bilinear(p, static_cast<double>(i) / n, static_cast<double>(j) / m);
       }
     }
     const auto at = [&](int i, int j) { return base + j * (n + 1) + i; };
+    Index middle = at(0, m + 1);
+    Index triangle = firstTriangle[q];
     for (int j = 0; j < m; ++j)
     {
-      for (int i = 0; i < n; ++i)
+      for (int i = 0; i < n; ++i, ++middle)
       {
-        const auto middle = static_cast<Index>(points.size());
-        points.push_back(Bilinear(p, (i + 0.5) / n, (j + 0.5) / m));
+        points[middle] = Bilinear(p, (i + 0.5) / n, (j + 0.5) / m);
         const Index ring[4] = { at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) };
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < 4; ++k, ++triangle)
         {
-          triangles.push_back({ ring[k], ring[(k + 1) % 4], middle });
-          slack.push_back(split.Error);
+          triangles[triangle] = { ring[k], ring[(k + 1) % 4], middle };
+          slack[triangle] = split.Error;
         }
       }
     }
-    result.Target.LargestSlack = std::max(result.Target.LargestSlack, slack.back());
-  }
+  });
   result.Search = TriangleSearch(std::move(points), std::move(triangles), SearchBuild::Quick);
   result.Target.Search = &result.Search;
 }

@@ -138,20 +138,19 @@ bool HexOptimizer::CanMove(const Hex& hex, int corner) const
 
 double HexOptimizer::LeastDeterminant() const
 {
-  double least = 1e300;
-  for (std::size_t h = 0; h < this->Mesh.Hexes.size(); ++h)
-  {
+  std::vector<double> least(this->Mesh.Hexes.size(), 1e300);
+  ParallelFor(least.size(), 2048, [&](std::size_t h) {
     const Hex& hex = this->Mesh.Hexes[h];
     const double size = this->HexSizes[h];
     for (int corner = 0; corner < 8; ++corner)
     {
       if (this->CanMove(hex, corner))
       {
-        least = std::min(least, Determinant(this->Mesh, hex, corner) / (size * size * size));
+        least[h] = std::min(least[h], Determinant(this->Mesh, hex, corner) / (size * size * size));
       }
     }
-  }
-  return least;
+  });
+  return least.empty() ? 1e300 : *std::min_element(least.begin(), least.end());
 }
 
 bool HexOptimizer::Hopeless(Index h) const

@@ -78,6 +78,12 @@ struct CornerDerivatives
   }
 };
 
+void SortUnique(std::vector<Index>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 /// Nearest positive semidefinite matrix.
 void MakePositive(Matrix9& matrix)
 {
@@ -195,32 +201,30 @@ void PatchImprover::RaiseWorst(
 
 void PatchImprover::BuildPatch(Index hex, int rings, Patch& patch) const
 {
-  std::set<Index> vertices(this->Mesh.Hexes[hex].begin(), this->Mesh.Hexes[hex].end());
-  std::set<Index> hexes;
+  patch.Vertices.assign(this->Mesh.Hexes[hex].begin(), this->Mesh.Hexes[hex].end());
   for (int ring = 0; ring < rings; ++ring)
   {
-    for (Index v : vertices)
+    patch.Hexes.clear();
+    for (Index v : patch.Vertices)
     {
-      for (Index h : this->Stars.Hexes[v])
-      {
-        hexes.insert(h);
-      }
+      const auto around = this->Stars.Hexes[v];
+      patch.Hexes.insert(patch.Hexes.end(), around.begin(), around.end());
     }
-    for (Index h : hexes)
+    SortUnique(patch.Hexes);
+    for (Index h : patch.Hexes)
     {
       if (ring + 1 < rings)
       {
-        vertices.insert(this->Mesh.Hexes[h].begin(), this->Mesh.Hexes[h].end());
+        const Hex& vertices = this->Mesh.Hexes[h];
+        patch.Vertices.insert(patch.Vertices.end(), vertices.begin(), vertices.end());
       }
     }
+    SortUnique(patch.Vertices);
   }
-  std::set<Index> quads;
-  for (Index v : vertices)
+  for (Index v : patch.Vertices)
   {
-    for (Index q : this->Stars.QuadsOfVertex[v])
-    {
-      quads.insert(q);
-    }
+    const auto around = this->Stars.QuadsOfVertex[v];
+    patch.Quads.insert(patch.Quads.end(), around.begin(), around.end());
     double sum = 0;
     int count = 0;
     for (Index i = this->Stars.Hexes.Offsets[v]; i < this->Stars.Hexes.Offsets[v + 1]; ++i)
@@ -235,9 +239,7 @@ void PatchImprover::BuildPatch(Index hex, int rings, Patch& patch) const
     }
     patch.Sizes.push_back(sum / count);
   }
-  patch.Vertices.assign(vertices.begin(), vertices.end());
-  patch.Hexes.assign(hexes.begin(), hexes.end());
-  patch.Quads.assign(quads.begin(), quads.end());
+  SortUnique(patch.Quads);
   patch.Floors.resize(8 * patch.Hexes.size());
 }
 

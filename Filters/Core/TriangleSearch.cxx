@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleSearch.h"
 
+#include "Parallel.h"
+
 #include <embree3/rtcore.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +14,8 @@ namespace featurehex
 {
 namespace
 {
+constexpr std::size_t TrianglesPerTask = 4096;
+
 /// One Embree device for the process. "threads=1": hierarchies are built by the calling thread, so
 /// they don't depend on the machine and don't fight with vtkSMPTools.
 RTCDevice Device()
@@ -90,8 +96,15 @@ struct TriangleSearch::Scene
     Vec3 A, B, C;
   };
 
+  /// In Embree's coordinates, rounded outwards.
+  struct FloatBox
+  {
+    std::array<float, 3> Lower, Upper;
+  };
+
   RTCScene Handle = nullptr;
   std::vector<Corners> Triangles;
+  std::vector<FloatBox> Boxes; ///< of the triangles, until the hierarchy is built
   Vec3 Center = Vec3::Zero();
   double Scale = 1.0;
 
@@ -115,17 +128,23 @@ struct TriangleSearch::Scene
   static void Bounds(const RTCBoundsFunctionArguments* args)
   {
     const Scene& scene = *static_cast<const Scene*>(args->geometryUserPtr);
-    const Corners& t = scene.Triangles[args->primID];
-    const Vec3 low = (t.A.cwiseMin(t.B).cwiseMin(t.C) - scene.Center) * scene.Scale;
-    const Vec3 high = (t.A.cwiseMax(t.B).cwiseMax(t.C) - scene.Center) * scene.Scale;
+    const FloatBox& box = scene.Boxes[args->primID];
+    std::copy(box.Lower.begin(), box.Lower.end(), &args->bounds_o->lower_x);
+    std::copy(box.Upper.begin(), box.Upper.end(), &args->bounds_o->upper_x);
+  }
+
+  FloatBox BoxOf(const Corners& t) const
+  {
+    const Vec3 low = (t.A.cwiseMin(t.B).cwiseMin(t.C) - this->Center) * this->Scale;
+    const Vec3 high = (t.A.cwiseMax(t.B).cwiseMax(t.C) - this->Center) * this->Scale;
     const float inf = std::numeric_limits<float>::infinity();
-    float* lower = &args->bounds_o->lower_x;
-    float* upper = &args->bounds_o->upper_x;
+    FloatBox box;
     for (int k = 0; k < 3; ++k)
     {
-      lower[k] = std::nextafter(static_cast<float>(low[k]), -inf);
-      upper[k] = std::nextafter(static_cast<float>(high[k]), inf);
+      box.Lower[k] = std::nextafter(static_cast<float>(low[k]), -inf);
+      box.Upper[k] = std::nextafter(static_cast<float>(high[k]), inf);
     }
+    return box;
   }
 
   float Radius(const Query& query, double distance) const
@@ -168,26 +187,32 @@ TriangleSearch::TriangleSearch(
   , Hierarchy(std::make_unique<Scene>())
 {
   Scene& scene = *this->Hierarchy;
-  Box box;
-  scene.Triangles.reserve(this->MeshTriangles.size());
-  this->Normals.reserve(this->MeshTriangles.size());
-  for (const Triangle& t : this->MeshTriangles)
-  {
+  scene.Triangles.resize(this->MeshTriangles.size());
+  this->Normals.resize(this->MeshTriangles.size());
+  ParallelFor(this->MeshTriangles.size(), TrianglesPerTask, [&](std::size_t i) {
+    const Triangle& t = this->MeshTriangles[i];
     const Vec3& a = this->MeshPoints[t[0]];
     const Vec3& b = this->MeshPoints[t[1]];
     const Vec3& c = this->MeshPoints[t[2]];
-    scene.Triangles.push_back({ a, b, c });
-    for (const Vec3* p : { &a, &b, &c })
-    {
-      box.Extend(*p);
-    }
+    scene.Triangles[i] = { a, b, c };
     const Vec3 normal = (b - a).cross(c - a);
     const double length = normal.norm();
-    this->Normals.push_back(length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero()));
+    this->Normals[i] = length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
+  });
+  Box box;
+  for (const Scene::Corners& t : scene.Triangles)
+  {
+    box.Extend(t.A);
+    box.Extend(t.B);
+    box.Extend(t.C);
   }
   scene.Center = box.Empty() ? Vec3(Vec3::Zero()) : box.Center();
   const double half = box.Empty() ? 0.0 : 0.5 * box.Size().maxCoeff();
   scene.Scale = half > 0 ? 1.0 / half : 1.0;
+
+  scene.Boxes.resize(scene.Triangles.size());
+  ParallelFor(scene.Boxes.size(), TrianglesPerTask,
+    [&](std::size_t i) { scene.Boxes[i] = scene.BoxOf(scene.Triangles[i]); });
 
   const RTCBuildQuality quality =
     build == SearchBuild::Quick ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
@@ -203,6 +228,7 @@ TriangleSearch::TriangleSearch(
   rtcAttachGeometry(scene.Handle, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene.Handle);
+  scene.Boxes = std::vector<Scene::FloatBox>();
 }
 
 TrianglePoint TriangleSearch::ClosestOn(const Vec3& p, Index triangle) const

@@ -167,20 +167,23 @@ TEST(VertexSchedule, NoBlockWaitsForAnotherOutOfItsReach)
     {
       GTEST_SKIP() << "one thread";
     }
-    std::atomic<bool> reached = false;
     bool seen = false;
-    schedule.Sweep([&](Index v) {
-      if (v == last)
-      {
-        reached = true;
-      }
-      for (int wait = 0; v == 0 && wait < 1000 && !reached; ++wait)
-      {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      }
-      seen = v == 0 ? reached.load() : seen;
-      return true;
-    });
+    for (int attempt = 0; attempt < 50 && !seen; ++attempt) // the other thread may start late
+    {
+      std::atomic<bool> reached = false;
+      schedule.Sweep([&](Index v) {
+        if (v == last)
+        {
+          reached = true;
+        }
+        for (int wait = 0; v == 0 && wait < 200 && !reached; ++wait)
+        {
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        seen = v == 0 ? reached.load() : seen;
+        return true;
+      });
+    }
     EXPECT_TRUE(seen);
   });
 }
