@@ -157,7 +157,6 @@ private:
   int FeatureRounds = 0;
   int QualityRounds = 0;
   CarriedPositions Carried; ///< from the last valid mesh
-  bool CarriedImproved = false;
   MeshingResult Best; ///< valid mesh with the highest minimum so far: mesh, arrays and figures
 
   // Of the current round.
@@ -622,9 +621,7 @@ Mesher::Outcome Mesher::Fit(Status& status)
   this->BeginPhase("fitting to the surface", 0.22, 0.9);
   ProvenFittingReport report;
   status = this->Fitting->Run(this->Body.Mesh, this->Stars, this->Targets.get(),
-    this->Changed.empty() ? nullptr : &this->Changed,
-    this->Changed.empty() || !this->CarriedImproved ? nullptr : &this->Changed, report,
-    this->Progress);
+    this->Changed.empty() ? nullptr : &this->Changed, report, this->Progress);
   this->Result.Improvement = report.Improvement;
   if (status.Ok())
   {
@@ -670,7 +667,6 @@ Mesher::Outcome Mesher::Validate(Status& status)
   report = ValidateHexMesh(mesh, &surface, validation, this->Progress);
   if (report.Result.Ok())
   {
-    this->CarriedImproved = true;
     this->Carried.Remember(
       this->Unfitted, this->Labels(), this->Body.Mesh.Points, this->EdgeLength);
     return Outcome::Done;

@@ -103,8 +103,7 @@ ProvenFitting::ProvenFitting(const SurfaceGeometry& surface, const ProvenFitting
 }
 
 Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-  const std::vector<char>* unfitted, const std::vector<char>* changed,
-  ProvenFittingReport& report, Monitor& monitor)
+  const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor)
 {
   report = ProvenFittingReport();
   this->Samples = SampleLike(
@@ -113,7 +112,7 @@ Status ProvenFitting::Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* 
   FittingOptions fitting;
   fitting.Tolerance = this->Options.Tolerance;
   fitting.Iterations = this->Options.FittingIterations;
-  fitting.Changed = unfitted;
+  fitting.Changed = changed;
   SurfaceEnvelope envelope(this->Surface, this->Samples, mesh, stars, QuadGrid, &monitor);
   {
     SubMonitor part(monitor, 0.0, FittingShare);

@@ -52,8 +52,7 @@ public:
   /// @a features may be null. @a changed: 1 for vertices that have to be fitted and improved; null:
   /// all. The others are in place (CarriedPositions.h).
   Status Run(HexMesh& mesh, const HexStars& stars, FeatureTargets* features,
-    const std::vector<char>* unfitted, const std::vector<char>* changed,
-    ProvenFittingReport& report, Monitor& monitor);
+    const std::vector<char>* changed, ProvenFittingReport& report, Monitor& monitor);
 
 private:
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface.Diagonal(); }
