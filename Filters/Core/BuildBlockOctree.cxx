@@ -3,13 +3,13 @@
 
 #include "BlockTree.h"
 #include "GridFit.h"
+#include "MessageText.h"
 #include "TriangleBoxOverlap.h"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -19,13 +19,6 @@ namespace
 {
 /// Hexes of the dual for each octree cell: 1.14 to 1.31 on scans at 26 to 200 cells a side.
 constexpr double HexesPerCell = 1.25;
-
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", value);
-  return text;
-}
 
 /// Root grid and local coordinates counted in target edge lengths, in which every block
 /// has its corners at exact multiples of its size.
@@ -104,7 +97,7 @@ Status CheckInput(const SurfaceMesh& surface, const std::vector<RefinementPoint>
   if (!(options.TargetEdgeLength > 0) || !std::isfinite(options.TargetEdgeLength))
   {
     return Status(
-      StatusCode::InvalidOption, "TargetEdgeLength is " + Number(options.TargetEdgeLength) +
+      StatusCode::InvalidOption, "TargetEdgeLength is " + NumberText(options.TargetEdgeLength) +
                                    "; the octree needs a positive length in model units.");
   }
   if (options.MaximumLevel < 0 || options.MaximumLevel > 12 || options.CoarseLevels < 0 ||
@@ -223,7 +216,7 @@ Status CellLimitStatus(const OctreePrediction& prediction, const OctreeOptions& 
     "The octree needs about " +
       std::to_string(std::max(prediction.Cells, options.MaximumNumberOfCells + 1)) +
       " cells, more than MaximumNumberOfCells = " + std::to_string(options.MaximumNumberOfCells) +
-      ". Raise TargetEdgeLength (now " + Number(options.TargetEdgeLength) +
+      ". Raise TargetEdgeLength (now " + NumberText(options.TargetEdgeLength) +
       ") or MaximumNumberOfCells, or ask for less refinement.");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureExtraction.h"
 
+#include "MessageText.h"
 #include "RedundantCurves.h"
 #include "SurfaceFlaws.h"
 

@@ -11,6 +11,7 @@
 #include "HexLocalPadding.h"
 #include "HexPadding.h"
 #include "HexUntangling.h"
+#include "MessageText.h"
 #include "OctreeDual.h"
 #include "ProvenFitting.h"
 #include "QualityHistogram.h"
@@ -21,9 +22,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
 #include <memory>
-#include <sstream>
 #include <tuple>
 
 namespace featurehex
@@ -78,14 +77,6 @@ private:
   std::string Stage;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
-
-std::string Place(const Vec3& p)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(12) << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-  return text.str();
-}
 
 /// The refinement loop: what lasts from round to round.
 class Mesher
@@ -188,12 +179,12 @@ Status Mesher::CheckOptions() const
   const auto bad = [](const std::string& text) { return Status(StatusCode::InvalidOption, text); };
   if (!(this->Options.Tolerance > 0 && this->Options.Tolerance < 1))
   {
-    return bad("Tolerance is " + std::to_string(this->Options.Tolerance) +
+    return bad("Tolerance is " + NumberText(this->Options.Tolerance) +
       "; it is a fraction of the bounding-box diagonal, above 0 and below 1 (default 0.005).");
   }
   if (!(this->Options.TargetEdgeLength >= 0 && this->Options.TargetEdgeLength < 1e300))
   {
-    return bad("TargetEdgeLength is " + std::to_string(this->Options.TargetEdgeLength) +
+    return bad("TargetEdgeLength is " + NumberText(this->Options.TargetEdgeLength) +
       "; give a length in model units, or 0 for automatic.");
   }
   return Status();
@@ -340,7 +331,7 @@ Mesher::Outcome Mesher::Refine(const std::string& reason, StatusCode code,
   MeshingRound& round = this->Result.Rounds.back();
   round.Reason = reason;
   this->LastReason =
-    reason + (places.empty() ? "" : ", first at " + Place(places.front() + this->Offset));
+    reason + (places.empty() ? "" : ", first at " + PlaceText(places.front() + this->Offset));
   round.RefinementPoints = static_cast<Index>(points.size());
   const bool last = this->Round + 1 >= this->LastRound;
   const bool stuck = (points.empty() || last) && this->Best.Mesh.Hexes.empty();

@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureValidation.h"
 
+#include "MessageText.h"
 #include "Parallel.h"
 #include "PatchValidation.h"
 #include "PolylineDistance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 namespace featurehex
 {
 namespace
 {
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 std::string Percent(double value)
 {
-  return Number(100.0 * value) + " %";
+  return NumberText(100.0 * value, 3) + " %";
 }
 
 const char* FlawText(CornerFlaw flaw)
@@ -449,8 +442,8 @@ std::string Missed(const std::vector<FeatureFinding>& findings, const char* kind
     [](const FeatureFinding& f) { return f.Enforced() && !f.Captured(); });
   return std::to_string(missed) + " of " + std::to_string(totals.Enforced) + " " +
     (totals.Enforced == 1 ? kind : kinds) + " missed (" + kind + " " +
-    std::to_string(first - findings.begin()) + " at (" + Number(first->Where[0]) + ", " +
-    Number(first->Where[1]) + ", " + Number(first->Where[2]) + "): " + first->Reason + ")";
+    std::to_string(first - findings.begin()) + " at " + PlaceText(first->Where) + ": " +
+    first->Reason + ")";
 }
 }
 

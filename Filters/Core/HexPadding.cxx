@@ -5,17 +5,16 @@
 #include "InterfaceRepair.h"
 #include "LayerNeed.h"
 #include "MeshTopology.h"
+#include "MessageText.h"
 #include "MortonCode.h"
 #include "PaddingGroups.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <locale>
 #include <map>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 namespace featurehex
 {
@@ -40,12 +39,11 @@ Status CheckInterface(const HexMesh& mesh, const std::vector<InterfaceQuad>& int
   const Index point = topology.BadEdges.empty() ? topology.BadVertices.front()
                                                 : topology.BadEdges.front()[0];
   const Vec3& where = mesh.Points[point];
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << "The boundary of the bodies is not a manifold: " << topology.BadEdges.size()
-       << " edges and " << topology.BadVertices.size() << " points, first at (" << where[0] << ", "
-       << where[1] << ", " << where[2] << "). Pad the regions of the domain stage unchanged.";
-  return Status(StatusCode::InvalidMesh, text.str(), { where });
+  return Status(StatusCode::InvalidMesh,
+    "The boundary of the bodies is not a manifold: " + std::to_string(topology.BadEdges.size()) +
+      " edges and " + std::to_string(topology.BadVertices.size()) + " points, first at " +
+      PlaceText(where) + ". Pad the regions of the domain stage unchanged.",
+    { where });
 }
 
 /// Features of other meshes, or edited by hand.

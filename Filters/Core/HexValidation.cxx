@@ -3,6 +3,7 @@
 #include "HexValidation.h"
 
 #include "HexCertificate.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,12 +208,12 @@ std::string Complaints(const HexValidationReport& r)
         std::to_string(t.Surface.EulerCharacteristic) + " instead of " +
         std::to_string(r.Input.EulerCharacteristic) + ")");
     blame(r.WithinTolerance(),
-      "boundary up to " + std::to_string(100.0 * r.Distance.Lower() / r.Diagonal) +
-        " % of the diagonal from the surface, tolerance " + std::to_string(100.0 * r.Tolerance) +
+      "boundary up to " + NumberText(100.0 * r.Distance.Lower() / r.Diagonal) +
+        " % of the diagonal from the surface, tolerance " + NumberText(100.0 * r.Tolerance) +
         " %");
     blame(r.VolumeFits(),
-      "volume " + std::to_string(r.Volume) + " instead of " +
-        std::to_string(std::abs(r.Input.Volume)));
+      "volume " + NumberText(r.Volume) + " instead of " +
+        NumberText(std::abs(r.Input.Volume)));
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #ifndef featurehex_Monitor_h
 #define featurehex_Monitor_h
 
+#include "MessageText.h"
 #include "Status.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ public:
       else if (this->Limited && this->Elapsed() > this->Seconds)
       {
         this->Stop = Status(StatusCode::TimeLimit,
-          "The time limit of " + std::to_string(this->Seconds) + " s was reached while " +
+          "The time limit of " + NumberText(this->Seconds) + " s was reached while " +
             this->Phase +
             ". Raise TimeLimit, or raise TargetEdgeLength or Tolerance for a coarser mesh.");
       }

@@ -4,31 +4,21 @@
 #include "HexCertificate.h"
 #include "HexQuality.h"
 #include "MeshTopology.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace featurehex
 {
 namespace
 {
-std::string Place(const Vec3& p)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(12) << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-  return text.str();
-}
-
 Status Defect(
   const StageOutput& output, const std::string& what, const std::vector<Vec3>& where = {})
 {
   return Status(StatusCode::Unexpected,
     "Wrong result of the stage " + output.Stage + ": " + what +
-      (where.empty() ? "" : " at " + Place(where.front())) +
+      (where.empty() ? "" : " at " + PlaceText(where.front())) +
       ". This is a defect of FeatureHex: please report it with the surface and the options.",
     where);
 }
@@ -132,7 +122,7 @@ Status CheckCertified(const StageOutput& output, const HexMesh& mesh)
   const Vec3& where = mesh.Points[mesh.Hexes[hex][0]];
   return Status(StatusCode::Validation,
     "The stage " + output.Stage + " leaves a hex whose Jacobian is not proven positive: hex " +
-      std::to_string(hex) + " at " + Place(where) + ". Make the octree finer there.",
+      std::to_string(hex) + " at " + PlaceText(where) + ". Make the octree finer there.",
     { where });
 }
 } // namespace

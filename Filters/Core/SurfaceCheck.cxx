@@ -3,6 +3,7 @@
 
 #include "BoxTree.h"
 #include "ExactPredicates.h"
+#include "MessageText.h"
 #include "SelfIntersection.h"
 #include "SurfaceFlaws.h"
 #include "SurfaceTopology.h"

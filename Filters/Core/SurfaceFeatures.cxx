@@ -3,6 +3,7 @@
 
 #include "DisjointSets.h"
 #include "ExactPredicates.h"
+#include "MessageText.h"
 #include "SurfaceFlaws.h"
 #include "SurfaceTopology.h"
 

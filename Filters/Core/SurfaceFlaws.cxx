@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceFlaws.h"
 
+#include "MessageText.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <locale>
 #include <numeric>
 #include <sstream>
 
 namespace featurehex
 {
-std::string CountText(std::size_t count, const char* singular, const char* plural)
-{
-  return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
-
-std::string PlaceText(const Vec3& p)
-{
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(10);
-  out << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-  return out.str();
-}
-
 Vec3 CheckedSurface::Center(Index triangle) const
 {
   const Triangle& t = this->Triangles[triangle];

@@ -18,12 +18,6 @@ namespace featurehex
 /// distances and volumes are computed.
 constexpr double LargestCoordinate = 1e100;
 
-/// "1 edge", "2 edges".
-std::string CountText(std::size_t count, const char* singular, const char* plural);
-
-/// "(0.5, 1, -2)", independent of the locale.
-std::string PlaceText(const Vec3& p);
-
 /// EmptySurface or IndexOutOfRange, else Ok.
 Status CheckIndices(const SurfaceMesh& surface);
 
