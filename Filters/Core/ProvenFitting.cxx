@@ -59,8 +59,7 @@ std::vector<Vec3> SampleLike(const SurfaceGeometry& surface, const HexMesh& mesh
   const std::vector<Quad>& quads, double leastSpacing)
 {
   const QuadSearch search(mesh, quads);
-  Index near = -1; // where the sample before was
-  return surface.Samples([&](const Vec3& p) {
+  return surface.Samples([&](const Vec3& p, Index& near) {
     const Quad& quad = quads[search.Closest(p, near)];
     double perimeter = 0;
     for (int k = 0; k < 4; ++k)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceGeometry.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,6 +12,7 @@ namespace
 {
 /// Pieces of this many spacings are small enough for one spacing.
 constexpr double EvenPieces = 8;
+constexpr std::size_t TrianglesPerPart = 512; // of the work of one thread
 
 /// Fills edges and triangles, without their ends and edges.
 class Sampler
@@ -23,7 +26,7 @@ public:
   void AddInside(const Vec3& a, const Vec3& b)
   {
     const Vec3 middle = 0.5 * (a + b);
-    const double spacing = this->Spacing(middle);
+    const double spacing = this->Spacing(middle, this->Near);
     if ((b - a).norm() <= EvenPieces * spacing)
     {
       this->AddRow(a, b, spacing);
@@ -51,7 +54,7 @@ public:
       std::swap(b, c);
     }
     const double base = (b - a).norm();
-    const double spacing = this->Spacing((a + b + c) / 3);
+    const double spacing = this->Spacing((a + b + c) / 3, this->Near);
     const int rows = base > 0 ? Pieces((b - a).cross(c - a).norm() / base, spacing) : 0;
     if (rows > 1 && base > EvenPieces * spacing)
     {
@@ -87,6 +90,7 @@ private:
   }
 
   const SurfaceGeometry::SpacingFunction& Spacing;
+  Index Near = -1; ///< left by Spacing
 };
 }
 
@@ -124,12 +128,12 @@ Vec3 SurfaceGeometry::NormalAt(const TrianglePoint& point) const
 
 std::vector<Vec3> SurfaceGeometry::Samples(double spacing) const
 {
-  return this->Samples([spacing](const Vec3&) { return spacing; });
+  return this->Samples([spacing](const Vec3&, Index&) { return spacing; });
 }
 
 std::vector<Vec3> SurfaceGeometry::Samples(const SpacingFunction& spacing) const
 {
-  Sampler sampler(spacing);
+  std::vector<Vec3> samples;
   std::vector<bool> used(this->Surface.Points.size(), false);
   for (const Triangle& t : this->Surface.Triangles)
   {
@@ -142,11 +146,11 @@ std::vector<Vec3> SurfaceGeometry::Samples(const SpacingFunction& spacing) const
   {
     if (used[v])
     {
-      sampler.Samples.push_back(this->Surface.Points[v]);
+      samples.push_back(this->Surface.Points[v]);
     }
   }
-  for (const Triangle& t : this->Surface.Triangles)
-  {
+  const std::vector<Triangle>& triangles = this->Surface.Triangles;
+  const auto addTriangle = [this](const Triangle& t, Sampler& sampler) {
     for (int k = 0; k < 3; ++k)
     {
       // Each edge of a closed surface is seen twice, in both directions: once is enough.
@@ -157,7 +161,22 @@ std::vector<Vec3> SurfaceGeometry::Samples(const SpacingFunction& spacing) const
     }
     sampler.AddInside(
       this->Surface.Points[t[0]], this->Surface.Points[t[1]], this->Surface.Points[t[2]]);
+  };
+  std::vector<std::vector<Vec3>> parts(
+    (triangles.size() + TrianglesPerPart - 1) / TrianglesPerPart);
+  ParallelFor(parts.size(), 1, [&](std::size_t part) {
+    Sampler sampler(spacing);
+    const std::size_t last = std::min((part + 1) * TrianglesPerPart, triangles.size());
+    for (std::size_t i = part * TrianglesPerPart; i < last; ++i)
+    {
+      addTriangle(triangles[i], sampler);
+    }
+    parts[part] = std::move(sampler.Samples);
+  });
+  for (const std::vector<Vec3>& part : parts)
+  {
+    samples.insert(samples.end(), part.begin(), part.end());
   }
-  return std::move(sampler.Samples);
+  return samples;
 }
 }

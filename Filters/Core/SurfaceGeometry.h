@@ -25,8 +25,10 @@ public:
   /// Unit normal interpolated from area-weighted point normals; zero where they cancel.
   Vec3 NormalAt(const TrianglePoint& point) const;
 
-  /// Model units, above 0, wanted at a point of the surface.
-  using SpacingFunction = std::function<double(const Vec3&)>;
+  /// Model units, above 0, wanted at a point of the surface. The second argument is -1 at first and
+  /// then what the function left there for a point nearby: a search may start from it, the result
+  /// doesn't depend on it. Called by several threads.
+  using SpacingFunction = std::function<double(const Vec3&, Index&)>;
 
   /// All points, and points on edges and triangles longer than the spacing there: no point of the
   /// surface is farther than about spacing / sqrt(3) from a sample. Order: points, then edges and
