@@ -5,22 +5,13 @@
 #ifndef featurehex_VertexImprover_h
 #define featurehex_VertexImprover_h
 
+#include "CornerMeasures.h"
 #include "FeatureTargets.h"
 #include "HexStars.h"
 #include "SurfaceEnvelope.h"
 
 namespace featurehex
 {
-/// Determinant of the unit edge vectors at a corner; -1 when an edge has no length.
-double CornerScaledJacobian(const HexMesh& mesh, const Hex& hex, int corner);
-
-/// Least corner scaled Jacobian of a hex; -1 when an edge has no length.
-double LeastScaledJacobian(const HexMesh& mesh, Index hex);
-
-/// Least of the 27 Bezier coefficients of the Jacobian determinant of a hex: positive means that
-/// the whole element is valid (Johnen, Weill, Remacle 2017).
-double LeastBezierCoefficient(const HexMesh& mesh, Index hex);
-
 /// Parameters of one barrier sweep (recipe-quality 2.4).
 struct BarrierParameters
 {
@@ -69,7 +60,7 @@ public:
 private:
   static constexpr double LeastEdgeRatio = 0.2;
 
-  struct Corner;
+  using Corner = VertexCorner;
   struct Pull;
   struct Star;
   struct PullLaw;
