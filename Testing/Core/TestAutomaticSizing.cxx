@@ -139,3 +139,22 @@ TEST(AutomaticSizing, SmallVolumesGetNoCoarserCells)
               hollow, std::cbrt(0.7 * 1000 / AutomaticSizingFor(true).UniformHexes), true),
     0);
 }
+
+TEST(AutomaticSizing, EdgesFollowASmallToleranceOnCurvedSurfaces)
+{
+  const SurfaceMesh sphere = Sphere(Vec3::Zero(), 1, 60);
+  const double usual = EdgeLength(sphere, SurfaceFeatures());
+  const double fine = EdgeLength(sphere, SurfaceFeatures(), 0.001);
+  const double finest = EdgeLength(sphere, SurfaceFeatures(), 0.0002);
+  EXPECT_NEAR(usual, 2.0 / AutomaticSizingFor(false).CellsPerSide, 1e-3);
+  EXPECT_LT(fine, 0.75 * usual);
+  EXPECT_LT(finest, 0.6 * fine);
+  // Its sag is within the tolerance, at least.
+  EXPECT_LT(fine * fine / 8, 0.001 * 2 * std::sqrt(3.0));
+}
+
+TEST(AutomaticSizing, FlatFacesNeedNoSmallerEdgesForASmallTolerance)
+{
+  const SurfaceMesh cube = BoxSurface(Vec3::Zero(), Vec3::Ones());
+  EXPECT_DOUBLE_EQ(EdgeLengthWithFeatures(cube, 0.0002), EdgeLengthWithFeatures(cube));
+}

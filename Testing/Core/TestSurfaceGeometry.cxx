@@ -62,3 +62,25 @@ TEST(SurfaceGeometry, ASliverGetsNoMoreSamplesThanItsEdgesNeed)
   // Three edges of 10, 5 and 5, three short cuts to the middle, and four points.
   EXPECT_LE(SurfaceGeometry(surface).Samples(0.1).size(), 350u);
 }
+
+TEST(SurfaceGeometry, SpacingMayChangeAlongATriangle)
+{
+  const SurfaceMesh mesh = Tetrahedron({ 0, 0, 0 }, { 8, 0, 0 }, { 0, 8, 0 });
+  const SurfaceGeometry surface{ SurfaceMesh(mesh) };
+  const auto spacing = [](const Vec3& p, Index&) { return p[0] < 4 ? 0.1 : 0.8; };
+  const std::vector<Vec3> samples = surface.Samples(spacing);
+  const auto near = [&samples](const Vec3& p) {
+    double nearest = 1e300;
+    for (const Vec3& sample : samples)
+    {
+      nearest = std::min(nearest, (sample - p).norm());
+    }
+    return nearest;
+  };
+  for (double y : { 0.33, 1.21, 2.07 })
+  {
+    EXPECT_LE(near(Vec3(1.03, y, 0)), 0.1);
+    EXPECT_LE(near(Vec3(5.03, y, 0)), 0.8);
+  }
+  EXPECT_LT(samples.size(), surface.Samples(0.1).size() * 0.9);
+}

@@ -284,3 +284,24 @@ TEST(SurfaceSizing, SameForAnyNumberOfThreads)
     EXPECT_EQ(one[i].Level, many[i].Level);
   }
 }
+
+TEST(SurfaceSizing, SaggingShareCountsSmoothPlacesOnly)
+{
+  const double radius = 3.0;
+  const SurfaceMesh sphere = Sphere(Vec3::Zero(), radius, 80);
+  const TriangleSearch search(sphere.Points, sphere.Triangles);
+  const std::vector<SurfaceSample> samples = SampleSurface(sphere, 0.3);
+  Monitor monitor;
+  SizingOptions options;
+  options.TargetEdgeLength = 1.0;
+  options.Sag = 1.3 / (8 * radius);
+  EXPECT_EQ(SaggingShare(samples, search, options, monitor), 0);
+  options.Sag = 0.7 / (8 * radius);
+  EXPECT_EQ(SaggingShare(samples, search, options, monitor), 1);
+
+  // Edges of a box are sharp, its faces flat: nothing sags.
+  const SurfaceMesh box = BoxSurface(Vec3::Zero(), Vec3(4, 4, 4));
+  const TriangleSearch boxSearch(box.Points, box.Triangles);
+  options.Sag = 1e-3;
+  EXPECT_EQ(SaggingShare(SampleSurface(box, 0.3), boxSearch, options, monitor), 0);
+}
