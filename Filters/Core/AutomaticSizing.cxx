@@ -4,7 +4,6 @@
 #include "BlockOctree.h"
 #include "FeatureSizing.h"
 #include "GridFit.h"
-#include "SurfaceSizing.h"
 
 #include <cmath>
 
@@ -19,6 +18,8 @@ constexpr double SaggingSamples = 0.13; // share of the samples where quads may 
 /// Edge lengths: quads can follow curvature to the tolerance where it is not smaller than this; to
 /// less of it where it is.
 constexpr double EasyTolerance = 0.11;
+constexpr double RefinedSag = 2.2; // of the tolerance: where flat quads sag by more, cells are finer
+constexpr int CurvatureLevels = 2; // by so many halvings
 constexpr double SmallestCells = 0.05;  // of the usual size
 constexpr double FactorStep = 1.189207115002721; // four steps halve
 
@@ -32,11 +33,8 @@ bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features,
   {
     return false;
   }
-  SizingOptions sizing;
-  sizing.TargetEdgeLength = size;
-  sizing.Slack = slack;
-  sizing.CellsPerThickness = AutomaticSizingFor(true).CellsPerThickness;
-  sizing.MaximumSizingLevel = 1;
+  SizingOptions sizing = AutomaticSizingOptions(true, size, slack);
+  sizing.MaximumSizingLevel = sizing.MaximumCurvatureLevel = 1;
   sizing.Sag = SagShare * slack;
   const std::size_t demands =
     ComputeSizing(surface.Mesh(), surface.Search(), sizing, monitor).size();
@@ -50,10 +48,7 @@ bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features,
 double CurvatureFactor(const SurfaceGeometry& surface, double usual, double slack, bool features,
   Monitor& monitor)
 {
-  SizingOptions sizing;
-  sizing.Slack = slack;
-  sizing.CellsPerThickness = AutomaticSizingFor(features).CellsPerThickness;
-  sizing.MaximumSizingLevel = AutomaticSizingFor(features).MaximumSizingLevel;
+  SizingOptions sizing = AutomaticSizingOptions(features, usual, slack);
   const std::vector<SurfaceSample> samples =
     SampleSurface(surface.Mesh(), sizing.SampleSpacing * usual);
   double factor = 1;
@@ -71,6 +66,18 @@ double CurvatureFactor(const SurfaceGeometry& surface, double usual, double slac
   }
   return factor;
 }
+}
+
+SizingOptions AutomaticSizingOptions(bool features, double edgeLength, double slack)
+{
+  SizingOptions sizing;
+  sizing.TargetEdgeLength = edgeLength;
+  sizing.Slack = slack;
+  sizing.CellsPerThickness = AutomaticSizingFor(features).CellsPerThickness;
+  sizing.MaximumSizingLevel = AutomaticSizingFor(features).MaximumSizingLevel;
+  sizing.Sag = RefinedSag * slack;
+  sizing.MaximumCurvatureLevel = CurvatureLevels;
+  return sizing;
 }
 
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,

@@ -8,6 +8,7 @@
 #include "FeatureGeometry.h"
 #include "Monitor.h"
 #include "SurfaceGeometry.h"
+#include "SurfaceSizing.h"
 
 namespace featurehex
 {
@@ -27,8 +28,12 @@ constexpr AutomaticSizing AutomaticSizingFor(bool features)
   return features ? AutomaticSizing{ 18, 1.0, 3, 6000 } : AutomaticSizing{ 20, 2.0, 2, 20000 };
 }
 
-/// Target edge length, model units: the longest side / CellsPerSide. With features it is fitted to the
-/// flat faces (GridFit.h), and larger where no thin part, no curvature and no feature asks for cells
+/// The same for ComputeSizing(). @a slack: model units, usually the tolerance.
+SizingOptions AutomaticSizingOptions(bool features, double edgeLength, double slack);
+
+/// Target edge length, model units: the longest side / CellsPerSide; less where quads of that size
+/// could not follow the curvature within @a slack. With features it is fitted to the flat faces
+/// (GridFit.h), and larger where no thin part, no curvature and no feature asks for cells
 /// as small: a plain box needs ten a side. @a features: of the surface, without curves when there
 /// are none. @a axes: of the grid (GridAxes()). @a slack: model units, usually the tolerance.
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,

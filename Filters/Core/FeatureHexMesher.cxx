@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureHexMesher.h"
 
+#include "AutomaticSizing.h"
 #include "FeatureSizing.h"
 #include "MeshingRounds.h"
 #include "MessageText.h"
@@ -14,8 +15,6 @@ namespace featurehex
 namespace
 {
 constexpr double FarFromOrigin = 100;    // diagonals
-constexpr double SagShare = 2.2; // of the tolerance: where flat quads sag by more, cells are finer
-constexpr int MaximumCurvatureLevel = 2;
 }
 
 Status MeshingRounds::CheckOptions() const
@@ -131,14 +130,9 @@ Status MeshingRounds::FindFeatures(const SurfaceMesh& checked)
 /// Refinement points that follow from the surface and its features alone.
 void MeshingRounds::PrepareSizing()
 {
-  SizingOptions sizing;
-  sizing.TargetEdgeLength = this->EdgeLength;
-  sizing.Slack = this->AbsoluteTolerance();
-  sizing.CellsPerThickness = this->Automatic().CellsPerThickness;
-  sizing.Sag = SagShare * this->AbsoluteTolerance();
-  sizing.MaximumCurvatureLevel = MaximumCurvatureLevel;
-  sizing.MaximumSizingLevel =
-    std::min(this->Automatic().MaximumSizingLevel, this->Options.MaximumLevel);
+  SizingOptions sizing = AutomaticSizingOptions(!this->Result.SurfaceGraph.Curves.empty(),
+    this->EdgeLength, this->AbsoluteTolerance());
+  sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->Options.MaximumLevel);
   this->Points =
     ComputeSizing(this->Surface->Mesh(), this->Surface->Search(), sizing, this->Progress);
   if (this->Result.SurfaceGraph.Curves.empty())

@@ -4,6 +4,7 @@
 #include "ClusterPlacement.h"
 #include "CurveRouter.h"
 #include "DisjointSets.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,6 @@ constexpr double WideReach = 2.5; // of the usual reach, when there is nothing w
 constexpr int BesideRings = 3;
 constexpr std::size_t LargestCluster = 5;
 constexpr double PlaceSpacing = 1.0; // of refinement points along a curve, local edge lengths
-
-std::string At(const Vec3& p)
-{
-  return "(" + std::to_string(p[0]) + ", " + std::to_string(p[1]) + ", " + std::to_string(p[2]) +
-         ")";
-}
 
 /// What the parts of the mapping share.
 class Mapper
@@ -164,7 +159,7 @@ void Mapper::PlaceCorners()
     {
       const Vec3& p = this->Geometry.CornerPoint(static_cast<Index>(c));
       this->Fail(FeatureKind::Corner, static_cast<Index>(c),
-        "Corner " + std::to_string(c) + " at " + At(p) + " with " +
+        "Corner " + std::to_string(c) + " at " + PlaceText(p) + " with " +
           std::to_string(this->Geometry.Fans()[c].Spokes.size()) +
           " curves has no free vertex with as many edges near it",
         { p });
@@ -260,8 +255,8 @@ void Mapper::TraceCurves()
     {
       const std::vector<Vec3>& contested = this->Router.ContestedPlaces(c);
       this->Fail(FeatureKind::Curve, c,
-        "Curve " + std::to_string(c) + " from " + At(curve.Points.front()) + " to " +
-          At(curve.Points.back()) + " finds no way between the others",
+        "Curve " + std::to_string(c) + " from " + PlaceText(curve.Points.front()) + " to " +
+          PlaceText(curve.Points.back()) + " finds no way between the others",
         contested.empty() ? this->PlacesAlong(c) : contested);
     }
   }
@@ -459,7 +454,7 @@ void Mapper::MatchPatches()
       {
         patchOfPiece[pieces[q]] = -1;
         this->Fail(FeatureKind::Surface, -1,
-          "A piece of the interface at " + At(this->Center(q)) + " belongs to no patch",
+          "A piece of the interface at " + PlaceText(this->Center(q)) + " belongs to no patch",
           { this->Center(q) });
       }
     }
@@ -478,7 +473,7 @@ void Mapper::MatchPatches()
       const std::vector<Vec3> places = this->PlacesOfPatch(patch);
       // Quads that went to another patch have failed above.
       this->Fail(FeatureKind::Surface, patch,
-        "Patch " + std::to_string(patch) + " at " + At(places.front()) + " has " +
+        "Patch " + std::to_string(patch) + " at " + PlaceText(places.front()) + " has " +
           (count == 0 ? "no quads" : std::to_string(count) + " pieces"),
         count == 0 && mismatched ? std::vector<Vec3>() : places);
     }

@@ -78,16 +78,17 @@ public:
     this->UpdateQualities();
   }
 
-  /// Minimum of all hexes, and how many are below the target.
-  double ReportAll(double target, Index& below) const
+  /// Of all hexes, those that stay included.
+  void ReportMinimum(ImprovementReport& report) const
   {
     std::vector<double> qualities(this->Mesh.Hexes.size());
     ParallelFor(qualities.size(), 1024, [&](std::size_t h) {
       qualities[h] = LeastScaledJacobian(this->Mesh, static_cast<Index>(h));
     });
-    below = static_cast<Index>(std::count_if(qualities.begin(), qualities.end(),
+    const double target = this->Options.MinimumScaledJacobian;
+    report.MinimumAfter = *std::min_element(qualities.begin(), qualities.end());
+    report.BelowTarget = static_cast<Index>(std::count_if(qualities.begin(), qualities.end(),
       [target](double quality) { return quality < target; }));
-    return *std::min_element(qualities.begin(), qualities.end());
   }
 
   /// Of the hexes that may change.
@@ -233,10 +234,11 @@ public:
   /// Newton on small neighbourhoods of the worst hexes.
   void SolvePatches(double target)
   {
-    if (this->Below(target).size() < FewHexes)
+    const std::vector<Index> bad = this->Below(target);
+    if (bad.size() < FewHexes)
     {
       PatchImprover patches(this->Mesh, this->Stars, this->Envelope, this->Vertices);
-      patches.RaiseWorst(this->Below(target), target, this->Options.MaximumPatches, this->Progress);
+      patches.RaiseWorst(bad, target, this->Options.MaximumPatches, this->Progress);
       this->UpdateQualities();
     }
   }
@@ -408,8 +410,8 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     return Status();
   }
   Improvement improvement(mesh, stars, surface, envelope, options, monitor);
-  const double target = options.MinimumScaledJacobian;
-  report.MinimumBefore = report.MinimumAfter = improvement.ReportAll(target, report.BelowTarget);
+  improvement.ReportMinimum(report);
+  report.MinimumBefore = report.MinimumAfter;
   improvement.Certify();
   improvement.DrawInside();
   report.Distance = improvement.Distance();
@@ -420,6 +422,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     return monitor.StopStatus(); // only other cells can help: spend no time on quality
   }
 
+  const double target = options.MinimumScaledJacobian;
   double last = improvement.Minimum();
   int stalled = 0;
   for (int round = 0; round < options.MaximumRounds && stalled < 2; ++round)
@@ -470,7 +473,7 @@ Status ImproveHexes(HexMesh& mesh, const HexStars& stars, const SurfaceGeometry&
     improvement.PushBarrier(target, LastGap);
   }
   report.Distance = improvement.Distance();
-  report.MinimumAfter = improvement.ReportAll(target, report.BelowTarget);
+  improvement.ReportMinimum(report);
   return Status();
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshingRounds.h"
 
+#include "AutomaticSizing.h"
 #include "FeatureSizing.h"
 #include "HexLocalPadding.h"
 #include "MessageText.h"

@@ -5,7 +5,6 @@
 #ifndef featurehex_MeshingRounds_h
 #define featurehex_MeshingRounds_h
 
-#include "AutomaticSizing.h"
 #include "BlockOctree.h"
 #include "CarriedPositions.h"
 #include "EnforcedFeatures.h"
@@ -101,10 +100,6 @@ private:
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
   void BeginPhase(const std::string& name, double from, double to);
-  AutomaticSizing Automatic() const
-  {
-    return AutomaticSizingFor(!this->Result.SurfaceGraph.Curves.empty());
-  }
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
 
   const MeshingOptions& Options;

@@ -69,6 +69,7 @@ std::vector<Vec3> SampleLike(const SurfaceGeometry& surface, const HexMesh& mesh
     return std::max(leastSpacing, 0.25 * perimeter / SamplesPerQuadSide);
   });
 }
+
 /// 1 for the vertices round the places of a failed proof.
 std::vector<char> VerticesNear(
   const DistanceDecision& decision, const HexMesh& mesh, const std::vector<Quad>& quads)

@@ -41,8 +41,8 @@ struct ProvenFittingReport
 };
 
 /// Fits a mesh without inverted hexes to a surface. Where the proof of the distance fails, the
-/// samples were too coarse: its witnesses become samples, the limit gets a little tighter, and the
-/// improvement runs again.
+/// samples were too coarse: its witnesses become samples, with others round them, and the improvement
+/// runs again there; the second time and later the limit gets a little tighter, too.
 class ProvenFitting
 {
 public:

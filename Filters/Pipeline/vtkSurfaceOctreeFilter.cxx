@@ -107,7 +107,6 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   {
     return status;
   }
-  const AutomaticSizing automatic = AutomaticSizingFor(features.Any());
   options.CoarseLevels =
     AutomaticCoarseLevels(surface, options.TargetEdgeLength, features.Any());
   options.MaximumLevel = this->MaximumLevel;
@@ -117,15 +116,18 @@ featurehex::Status vtkSurfaceOctreeFilter::Compute(
   if (this->ThicknessSizing)
   {
     monitor.BeginPhase("measuring thickness and gaps", 0.2, 0.7);
-    SizingOptions sizing;
-    sizing.TargetEdgeLength = options.TargetEdgeLength;
-    sizing.Slack = slack;
-    sizing.CellsPerThickness =
-      this->CellsPerThickness > 0 ? this->CellsPerThickness : automatic.CellsPerThickness;
+    SizingOptions sizing =
+      AutomaticSizingOptions(features.Any(), options.TargetEdgeLength, slack);
     sizing.CellsPerGap = this->CellsPerGap;
-    sizing.MaximumSizingLevel = std::min(
-      this->MaximumSizingLevel >= 0 ? this->MaximumSizingLevel : automatic.MaximumSizingLevel,
-      this->MaximumLevel);
+    if (this->CellsPerThickness > 0)
+    {
+      sizing.CellsPerThickness = this->CellsPerThickness;
+    }
+    if (this->MaximumSizingLevel >= 0)
+    {
+      sizing.MaximumSizingLevel = this->MaximumSizingLevel;
+    }
+    sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->MaximumLevel);
     points = ComputeSizing(surface.Mesh(), surface.Search(), sizing, monitor);
   }
   if (this->FeatureSizing && features.Any())
