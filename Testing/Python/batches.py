@@ -40,10 +40,11 @@ def make_models(folder):
 
 
 def start(*arguments, before=(), **variables):
+    environment = {**programs.environment(), **variables}
+    environment.pop("PYTHONUNBUFFERED", None)  # users see each line at once without it, too
     return subprocess.Popen(
         [*before, *python(), "-m", "featurehex", "batch", *map(str, arguments)],
-        env={**programs.environment(), **variables}, text=True, stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT)
+        env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
 
 def run(code, *arguments):

@@ -14,6 +14,7 @@ OUT receives meshes/NAME.vtu, reports/NAME.json, pictures/NAME.png, batch.tsv an
 """
 
 import argparse
+import ctypes
 import os
 import re
 import signal
@@ -267,6 +268,8 @@ def _try_options(settings: Settings) -> None:
 
 def _say(text: str) -> None:
     print(text, flush=True)
+    # pvpython writes through C++, which keeps the lines until the end unless it is a terminal.
+    ctypes.CDLL(None).fflush(None)
 
 
 def _complain(text: str, code: int) -> int:
