@@ -43,25 +43,27 @@ bool FineEnough(const SurfaceGeometry& surface, const FeatureGeometry& features,
   return demands <= DemandingShare * samples && !monitor.Stopped();
 }
 
-/// The largest cells, in usual ones and at most one, whose quads can follow the curvature within
-/// the tolerance nearly everywhere.
+/// The largest cells, in usual ones and at most one step larger, whose quads can follow the curvature
+/// within the tolerance nearly everywhere. With features at most one: FineEnough() asks for more.
 double CurvatureFactor(const SurfaceGeometry& surface, double usual, double slack, bool features,
   Monitor& monitor)
 {
   SizingOptions sizing = AutomaticSizingOptions(features, usual, slack);
   const std::vector<SurfaceSample> samples =
     SampleSurface(surface.Mesh(), sizing.SampleSpacing * usual);
-  double factor = 1;
-  while (factor > SmallestCells)
-  {
+  const auto share = [&](double factor) {
     sizing.TargetEdgeLength = factor * usual;
     const double ease = slack / (EasyTolerance * sizing.TargetEdgeLength);
     sizing.Sag = slack * std::min(1.0, ease * ease);
-    const double share = SaggingShare(samples, surface.Search(), sizing, monitor);
-    if (share <= SaggingSamples || monitor.Stopped())
-    {
-      break;
-    }
+    return SaggingShare(samples, surface.Search(), sizing, monitor);
+  };
+  if (!features && share(FactorStep) <= DemandingShare)
+  {
+    return FactorStep;
+  }
+  double factor = 1;
+  while (factor > SmallestCells && share(factor) > SaggingSamples && !monitor.Stopped())
+  {
     factor /= FactorStep;
   }
   return factor;

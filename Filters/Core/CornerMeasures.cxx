@@ -71,7 +71,7 @@ double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
       }
     }
   }
-  static constexpr double binomial[3] = { 1, 2, 1 };
+  static constexpr double share[3] = { 1, 0.5, 1 }; // 1 / binomial coefficient: exact
   double least = 1e300;
   for (int i = 0; i < 3; ++i)
   {
@@ -79,7 +79,7 @@ double LeastBezierCoefficient(const HexMesh& mesh, Index hex)
     {
       for (int k = 0; k < 3; ++k)
       {
-        least = std::min(least, coefficients[i][j][k] / (binomial[i] * binomial[j] * binomial[k]));
+        least = std::min(least, coefficients[i][j][k] * (share[i] * share[j] * share[k]));
       }
     }
   }

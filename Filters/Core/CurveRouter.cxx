@@ -129,7 +129,7 @@ std::vector<Index> CurveRouter::ArrangeSpokes(Index corner, Index vertex, double
     if (spoke == spokes)
     {
       const double total =
-        sum + SectorCost(sectors[spokes - 1], chosen[0] + valence - chosen[spokes - 1]);
+        sum + SectorCost(sectors.back(), chosen.front() + valence - chosen.back());
       if (total < cost)
       {
         cost = total;

@@ -44,7 +44,7 @@ struct MeshingOptions
   /// bounding box.
   double Tolerance = 0.005;
   /// Cell size at the surface, model units; 0: automatic (AutomaticSizing.h): longest side
-  /// of the bounding box / 20, with sharp features / 18 or fewer.
+  /// of the bounding box / 20, with sharp features / 18, or fewer.
   double TargetEdgeLength = 0.0;
   /// Refinement goes at most this many halvings below the target edge length.
   int MaximumLevel = 4;

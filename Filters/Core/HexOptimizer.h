@@ -99,6 +99,8 @@ public:
 
   void ActivateAll();
   void ActivateBoundary();
+  /// The vertices of the hexes at the vertex.
+  void ActivateAround(Index vertex);
   /// The vertices of the hex and of those that touch it.
   void ActivateAround(const Hex& hex);
 
@@ -117,7 +119,6 @@ private:
   void CollectCorners(Index vertex, double regularization, std::vector<Corner>& corners) const;
   template <typename Visitor>
   void VisitTerms(Index vertex, const Visitor& visit) const;
-  void ActivateAround(Index vertex);
 
   HexMesh& Mesh;
   const HexStars& Stars;

@@ -52,10 +52,11 @@ private:
     this->Inverted = InvertedHexes(this->Mesh);
     this->Report.InvertedAfter = static_cast<Index>(this->Inverted.size());
   }
-  void Activate(int sweep);
+  void Activate(int sweep, bool everything);
+  void ActivateMoved(const std::vector<Vec3>& before);
   bool Untangled() const { return this->Report.InvertedAfter <= this->Report.Hopeless; }
-  Status Settle(const SurfaceGeometry* surface);
-  Status Sweep();
+  Status Settle(const SurfaceGeometry* surface, bool everything);
+  Status Sweep(bool everything);
 
   HexMesh& Mesh;
   const HexStars& Stars;
@@ -66,11 +67,11 @@ private:
   std::vector<Index> Inverted;
 };
 
-/// Later sweeps visit what still moves and what surrounds inverted hexes: most of a large mesh is at
-/// rest while the last ones are freed.
-void Untangler::Activate(int sweep)
+/// The first sweeps visit everything if wanted; later ones what still moves and what surrounds
+/// inverted hexes: most of a large mesh is at rest while the last ones are freed.
+void Untangler::Activate(int sweep, bool everything)
 {
-  if (sweep < WideSweeps)
+  if (everything && sweep < WideSweeps)
   {
     this->Optimizer.ActivateAll();
   }
@@ -80,7 +81,18 @@ void Untangler::Activate(int sweep)
   }
 }
 
-Status Untangler::Sweep()
+void Untangler::ActivateMoved(const std::vector<Vec3>& before)
+{
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    if (this->Mesh.Points[v] != before[v])
+    {
+      this->Optimizer.ActivateAround(static_cast<Index>(v));
+    }
+  }
+}
+
+Status Untangler::Sweep(bool everything)
 {
   if (this->Options.Method == UntangleMethod::Stitching)
   {
@@ -105,7 +117,7 @@ Status Untangler::Sweep()
     {
       delta = std::max(delta, 0.05);
     }
-    this->Activate(sweep);
+    this->Activate(sweep, everything);
     this->Optimizer.Sweep(delta, &this->Progress);
     ++this->Report.Sweeps;
     this->CountInverted();
@@ -113,7 +125,7 @@ Status Untangler::Sweep()
   return this->Progress.StopStatus();
 }
 
-Status Untangler::Settle(const SurfaceGeometry* surface)
+Status Untangler::Settle(const SurfaceGeometry* surface, bool everything)
 {
   this->CountInverted();
   if (surface)
@@ -121,7 +133,7 @@ Status Untangler::Settle(const SurfaceGeometry* surface)
     SurfaceTerms(this->Mesh, this->Stars, *surface, this->Options.Features)
       .UpdatePlanes(this->Optimizer, this->Options.SurfaceWeight, this->Options.SurfaceWeight);
   }
-  return this->Sweep();
+  return this->Sweep(everything);
 }
 
 Status Untangler::Run(const SurfaceGeometry* surface)
@@ -143,12 +155,12 @@ Status Untangler::Run(const SurfaceGeometry* surface)
   {
     SpreadAtFeatures(this->Mesh, this->Stars, *features, this->Options.Changed);
   }
-  Status status = this->Settle(surface);
+  Status status = this->Settle(surface, true);
   if (features && status.Ok() && !this->Untangled())
   {
     // Thin wedges, whose patch has two sides near each other.
     this->Mesh.Points = start;
-    status = this->Settle(surface);
+    status = this->Settle(surface, true);
   }
   for (int attempt = 0; features && status.Ok() && this->Untangled() && attempt < MaximumUnfoldings;
        ++attempt)
@@ -159,7 +171,8 @@ Status Untangler::Run(const SurfaceGeometry* surface)
     {
       break;
     }
-    status = this->Settle(surface);
+    this->ActivateMoved(before);
+    status = this->Settle(surface, false);
     if (!this->Untangled())
     {
       this->Mesh.Points = before;

@@ -44,8 +44,8 @@ void MeshingRounds::BeginPhase(const std::string& name, double from, double to)
 
 /// Adds refinement points one level below the cells at @a places. When nothing can be refined there
 /// any more, or rounds run out, without a valid mesh, the grid is no longer fitted to flat faces,
-/// once (at once where a promise is broken at many places); then all cells are halved, once; then it
-/// fails with @a reason.
+/// once; then all cells are halved, once; then it fails with @a reason. Where a promise is broken at
+/// many places, both come at once.
 MeshingRounds::Outcome MeshingRounds::Refine(const std::string& reason, StatusCode code,
   const std::vector<Vec3>& places, Status& status)
 {
@@ -68,6 +68,7 @@ MeshingRounds::Outcome MeshingRounds::Refine(const std::string& reason, StatusCo
   const bool stuck = (points.empty() || last) && this->Best.Mesh.Hexes.empty();
   const bool folded = code == StatusCode::Validation && places.size() > ManyPlaces &&
     this->Best.Mesh.Hexes.empty();
+  const bool foldedAgain = folded && !this->FitGrid;
   if ((stuck || folded) && this->FitGrid && this->Enforced.Geometry())
   {
     // A thin wedge on a flat face has no room for hexes where that lies between their layers: a
@@ -77,7 +78,7 @@ MeshingRounds::Outcome MeshingRounds::Refine(const std::string& reason, StatusCo
     round.Reason += "; the grid is no longer fitted to flat faces";
     return Outcome::Refine;
   }
-  if (stuck && !this->Halved)
+  if ((stuck || foldedAgain) && !this->Halved)
   {
     this->Halved = true;
     this->LastRound += this->Options.MaximumRounds;

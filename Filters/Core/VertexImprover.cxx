@@ -217,12 +217,11 @@ bool VertexImprover::Search(
 {
   const auto hexes = this->Stars.Hexes[vertex];
   const double ratio = this->EdgeRatio(vertex, star.Position);
-  std::array<double, 64> before;
-  const Index count = std::min<Index>(hexes.size(), static_cast<Index>(before.size()));
-  for (Index i = 0; i < count; ++i)
-  {
-    before[i] = LeastBezierCoefficient(this->Mesh, hexes[i]);
-  }
+  Vec3& point = this->Mesh.Points[vertex];
+  const auto leastAt = [&](Index hex, const Vec3& position) {
+    point = position;
+    return LeastBezierCoefficient(this->Mesh, hex);
+  };
   double alpha = 1;
   for (int trial = 0; trial < trials; ++trial, alpha *= 0.5)
   {
@@ -240,13 +239,11 @@ bool VertexImprover::Search(
     {
       continue;
     }
-    this->Mesh.Points[vertex] = position;
-    bool sound = true;
-    for (Index i = 0; i < hexes.size() && sound; ++i)
-    {
-      const double least = LeastBezierCoefficient(this->Mesh, hexes[i]);
-      sound = least > 0 || (i < count && least >= before[i]);
-    }
+    const bool sound = std::all_of(hexes.begin(), hexes.end(), [&](Index h) {
+      const double least = leastAt(h, position);
+      return least > 0 || least >= leastAt(h, star.Position);
+    });
+    point = position;
     if (sound &&
       (!this->Stars.OnBoundary(vertex) ||
         this->Envelope.AcceptMove(this->Stars.QuadsOfVertex[vertex],
@@ -254,7 +251,7 @@ bool VertexImprover::Search(
     {
       return true;
     }
-    this->Mesh.Points[vertex] = star.Position;
+    point = star.Position;
   }
   return false;
 }
