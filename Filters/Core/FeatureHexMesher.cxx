@@ -17,7 +17,7 @@ namespace
 constexpr double FarFromOrigin = 100;    // diagonals
 }
 
-Status MeshingRounds::CheckOptions() const
+Status MeshingRounds::CheckOptions(const SurfaceMesh& surface) const
 {
   const auto bad = [](const std::string& text) { return Status(StatusCode::InvalidOption, text); };
   if (!(this->Options.Tolerance > 0 && this->Options.Tolerance < 1))
@@ -29,6 +29,23 @@ Status MeshingRounds::CheckOptions() const
   {
     return bad("TargetEdgeLength is " + NumberText(this->Options.TargetEdgeLength) +
       "; give a length in model units, or 0 for automatic.");
+  }
+  const std::vector<double>& lengths = this->Options.EdgeLengths;
+  if (!lengths.empty() && lengths.size() != surface.Points.size())
+  {
+    return bad("There are " + std::to_string(lengths.size()) + " edge lengths for " +
+      std::to_string(surface.Points.size()) + " points of the surface; give one for each.");
+  }
+  const auto wrong = std::find_if(lengths.begin(), lengths.end(),
+    [](double length) { return !(length >= 0 && length < 1e300); });
+  if (wrong != lengths.end())
+  {
+    const std::size_t p = wrong - lengths.begin();
+    return Status(StatusCode::InvalidOption,
+      "The edge length wanted at point " + std::to_string(p) + ", " +
+        PlaceText(surface.Points[p]) + ", is " + NumberText(*wrong) +
+        "; give a length in model units, or 0 for no wish.",
+      { surface.Points[p] });
   }
   return Status();
 }
@@ -135,6 +152,14 @@ void MeshingRounds::PrepareSizing()
   sizing.MaximumSizingLevel = std::min(sizing.MaximumSizingLevel, this->Options.MaximumLevel);
   this->Points =
     ComputeSizing(this->Surface->Mesh(), this->Surface->Search(), sizing, this->Progress);
+  const auto append = [this](const std::vector<RefinementPoint>& points) {
+    this->Points.insert(this->Points.end(), points.begin(), points.end());
+  };
+  if (!this->Options.EdgeLengths.empty())
+  {
+    append(ComputeWantedSizing(this->Surface->Mesh(), this->WantedLengths(), this->EdgeLength,
+      this->Options.MaximumLevel, this->Progress));
+  }
   if (this->Result.SurfaceGraph.Curves.empty())
   {
     return;
@@ -144,14 +169,30 @@ void MeshingRounds::PrepareSizing()
   FeatureSizingOptions features;
   features.TargetEdgeLength = this->EdgeLength;
   features.MaximumLevel = this->Options.MaximumLevel;
-  const std::vector<RefinementPoint> points = ThinRefinementPoints(
-    ComputeFeatureSizing(*this->Enforced.Geometry(), features), this->EdgeLength);
-  this->Points.insert(this->Points.end(), points.begin(), points.end());
+  append(ThinRefinementPoints(
+    ComputeFeatureSizing(*this->Enforced.Geometry(), features), this->EdgeLength));
+}
+
+/// Options.EdgeLengths for the points of the checked surface.
+std::vector<double> MeshingRounds::WantedLengths() const
+{
+  std::vector<double> wanted(this->Surface->Mesh().Points.size(), 0.0);
+  const std::vector<Index>& checked = this->Result.Check.Points;
+  for (std::size_t p = 0; p < checked.size(); ++p)
+  {
+    const double length = this->Options.EdgeLengths[p];
+    if (checked[p] >= 0 && length > 0)
+    {
+      double& least = wanted[checked[p]];
+      least = least > 0 ? std::min(least, length) : length;
+    }
+  }
+  return wanted;
 }
 
 Status MeshingRounds::Run(const SurfaceMesh& input)
 {
-  Status status = this->CheckOptions();
+  Status status = this->CheckOptions(input);
   if (status.Ok())
   {
     status = this->Prepare(input);

@@ -46,6 +46,9 @@ struct MeshingOptions
   /// Cell size at the surface, model units; 0: automatic (AutomaticSizing.h): longest side
   /// of the bounding box / 20, with sharp features / 18, or fewer.
   double TargetEdgeLength = 0.0;
+  /// Smaller cells where wanted: for each point of the surface the largest edge length there, model
+  /// units; 0: no wish. Empty: none at all.
+  std::vector<double> EdgeLengths;
   /// Refinement goes at most this many halvings below the target edge length.
   int MaximumLevel = 4;
   /// Of the octree.

@@ -77,7 +77,7 @@ private:
     Failed
   };
 
-  Status CheckOptions() const;
+  Status CheckOptions(const SurfaceMesh& surface) const;
   Status Prepare(const SurfaceMesh& input);
   Status FindFeatures(const SurfaceMesh& checked);
   void PrepareSizing();
@@ -100,6 +100,7 @@ private:
   Outcome Refine(const std::string& reason, StatusCode code, const std::vector<Vec3>& places,
     Status& status);
   void BeginPhase(const std::string& name, double from, double to);
+  std::vector<double> WantedLengths() const;
   double AbsoluteTolerance() const { return this->Options.Tolerance * this->Surface->Diagonal(); }
 
   const MeshingOptions& Options;

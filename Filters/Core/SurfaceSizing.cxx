@@ -427,6 +427,47 @@ double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSea
   return count > 0 ? sagging / count : 0.0;
 }
 
+std::vector<RefinementPoint> ComputeWantedSizing(const SurfaceMesh& surface,
+  const std::vector<double>& lengths, double targetEdgeLength, int maximumLevel, Monitor& monitor)
+{
+  const auto wanted = [&](double length) { return length > 0 ? length : targetEdgeLength; };
+  double least = targetEdgeLength;
+  for (double length : lengths)
+  {
+    least = std::min(least, wanted(length));
+  }
+  const double finest = std::max(least, std::ldexp(targetEdgeLength, -maximumLevel));
+  if (!(finest < targetEdgeLength))
+  {
+    return {};
+  }
+  std::vector<RefinementPoint> points;
+  for (const SurfaceSample& sample :
+    SampleSurface(surface, SizingOptions().SampleSpacing * finest))
+  {
+    if (monitor.Stopped())
+    {
+      return {};
+    }
+    const Triangle& t = surface.Triangles[sample.Triangle];
+    const Vec3 u = surface.Points[t[1]] - surface.Points[t[0]];
+    const Vec3 v = surface.Points[t[2]] - surface.Points[t[0]];
+    const Vec3 normal = u.cross(v);
+    const Vec3 d = sample.Position - surface.Points[t[0]];
+    const double second = d.cross(v).dot(normal) / normal.squaredNorm();
+    const double third = u.cross(d).dot(normal) / normal.squaredNorm();
+    const double length = (1 - second - third) * wanted(lengths[t[0]]) +
+      second * wanted(lengths[t[1]]) + third * wanted(lengths[t[2]]);
+    const int level = std::min(
+      maximumLevel, static_cast<int>(std::ceil(std::log2(targetEdgeLength / length) - 1e-6)));
+    if (level > 0)
+    {
+      points.push_back({ sample.Position, level });
+    }
+  }
+  return ThinRefinementPoints(points, targetEdgeLength);
+}
+
 std::vector<RefinementPoint> ComputeSizing(const SurfaceMesh& surface,
   const TriangleSearch& search, const SizingOptions& options, Monitor& monitor)
 {

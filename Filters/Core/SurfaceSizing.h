@@ -87,6 +87,13 @@ struct SizingOptions
 double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSearch& search,
   const SizingOptions& options, Monitor& monitor);
 
+/// Refinement points where cells of @a targetEdgeLength (model units) are larger than @a lengths
+/// wants: one per point of the surface, model units, 0: no wish; linear in each triangle. At most
+/// @a maximumLevel halvings. Empty when the monitor stops it.
+std::vector<RefinementPoint> ComputeWantedSizing(const SurfaceMesh& surface,
+  const std::vector<double>& lengths, double targetEdgeLength, int maximumLevel,
+  Monitor& monitor);
+
 /// Refinement points where cells of the target edge length are too large for the local thickness or
 /// gap, with the level they need, in sample order.
 /// Parallel; the result does not depend on the number of threads. Empty when the monitor stops it.

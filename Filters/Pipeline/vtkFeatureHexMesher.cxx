@@ -81,6 +81,7 @@ FigureRow Statistics(const MeshingOptions& options, double timeLimit, const Mesh
   row.Numbers.emplace_back("PeakMemoryMiB", PeakMemoryMiB());
   row.Numbers.emplace_back("OptionTolerance", options.Tolerance);
   row.Numbers.emplace_back("OptionTargetEdgeLength", options.TargetEdgeLength);
+  row.Numbers.emplace_back("OptionEdgeLengths", options.EdgeLengths.empty() ? 0.0 : 1.0);
   row.Numbers.emplace_back("OptionMaximumLevel", options.MaximumLevel);
   row.Numbers.emplace_back(
     "OptionMaximumNumberOfCells", static_cast<double>(options.MaximumNumberOfCells));
@@ -130,7 +131,10 @@ vtkFeatureHexMesher::vtkFeatureHexMesher()
 }
 
 //------------------------------------------------------------------------------
-vtkFeatureHexMesher::~vtkFeatureHexMesher() = default;
+vtkFeatureHexMesher::~vtkFeatureHexMesher()
+{
+  this->SetEdgeLengthArray(nullptr);
+}
 
 //------------------------------------------------------------------------------
 int vtkFeatureHexMesher::FillInputPortInformation(int port, vtkInformation* info)
@@ -164,6 +168,28 @@ featurehex::MeshingOptions vtkFeatureHexMesher::Options() const
   options.AlignToPrincipalAxes = this->AlignToPrincipalAxes;
   options.MaximumRounds = this->MaximumRounds;
   return options;
+}
+
+//------------------------------------------------------------------------------
+featurehex::Status vtkFeatureHexMesher::ReadEdgeLengths(
+  vtkPolyData* surface, std::vector<double>& lengths)
+{
+  const std::string name = this->EdgeLengthArray ? this->EdgeLengthArray : "";
+  if (name.empty() || name == "None")
+  {
+    return Status();
+  }
+  vtkDataArray* array = surface->GetPointData()->GetArray(name.c_str());
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return Status(StatusCode::InvalidOption,
+      "The surface has no point array \"" + name + "\" with one component, the EdgeLengthArray.");
+  }
+  for (vtkIdType p = 0; p < array->GetNumberOfTuples(); ++p)
+  {
+    lengths.push_back(array->GetComponent(p, 0));
+  }
+  return Status();
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +253,10 @@ featurehex::Status vtkFeatureHexMesher::Compute(
   monitor.SetTimeLimit(this->TimeLimit);
   const SurfaceMesh surface = SurfaceFromPolyData(vtkPolyData::GetData(inputs[0]));
   Status status = this->ReadFeatures(surface, inputs[1], options.Features);
+  if (status.Ok())
+  {
+    status = this->ReadEdgeLengths(vtkPolyData::GetData(inputs[0]), options.EdgeLengths);
+  }
   MeshingResult result;
   if (status.Ok())
   {
@@ -293,6 +323,8 @@ void vtkFeatureHexMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
+  os << indent << "EdgeLengthArray: " << (this->EdgeLengthArray ? this->EdgeLengthArray : "(none)")
+     << "\n";
   os << indent << "MaximumLevel: " << this->MaximumLevel << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "MinimumScaledJacobian: " << this->MinimumScaledJacobian << "\n";

@@ -85,6 +85,10 @@
 #include "vtkFeatureHexAlgorithm.h"
 #include "vtkFeatureHexPipelineModule.h" // For export macro
 
+#include <vector> // For edge lengths
+
+class vtkPolyData;
+
 namespace featurehex
 {
 struct FeatureInput;
@@ -119,6 +123,16 @@ public:
    */
   vtkSetClampMacro(TargetEdgeLength, double, 0.0, 1e100);
   vtkGetMacro(TargetEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a point array of the surface with one component: the largest edge length wanted there,
+   * model units; 0: no wish. TargetEdgeLength is the largest anywhere, cells are at most
+   * MaximumLevel halvings smaller. Empty or None: no such array. Default: null.
+   */
+  vtkSetStringMacro(EdgeLengthArray);
+  vtkGetStringMacro(EdgeLengthArray);
   ///@}
 
   ///@{
@@ -250,6 +264,8 @@ protected:
 private:
   /// Options for the core, without features.
   featurehex::MeshingOptions Options() const;
+  /// EdgeLengthArray of the surface.
+  featurehex::Status ReadEdgeLengths(vtkPolyData* surface, std::vector<double>& lengths);
   /// FeatureMode and input 1.
   featurehex::Status ReadFeatures(const featurehex::SurfaceMesh& surface,
     vtkInformationVector* input, featurehex::FeatureInput& features);
@@ -260,6 +276,7 @@ private:
 
   double Tolerance = 0.005;
   double TargetEdgeLength = 0.0;
+  char* EdgeLengthArray = nullptr;
   int MaximumLevel = 4;
   vtkIdType MaximumNumberOfCells = 20000000;
   double MinimumScaledJacobian = 0.55;

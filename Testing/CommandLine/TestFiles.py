@@ -57,6 +57,26 @@ with folder() as place:
     assert "3" in status["message"], status
     assert sorted(os.listdir(place)) == ["open.obj", "out.vtu", "report.json"]
 
+    # Edge lengths by point.
+    ids = [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3),
+           (0, 4, 6), (0, 6, 2), (1, 3, 7), (1, 7, 5)]
+    with open(path("cube.vtk"), "w", encoding="ascii") as file:
+        file.write("# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n")
+        file.writelines("%d %d %d\n" % (i & 1, i >> 1 & 1, i >> 2) for i in range(8))
+        file.write("POLYGONS 12 48\n")
+        file.writelines("3 %d %d %d\n" % triangle for triangle in ids)
+        file.write("POINT_DATA 8\nSCALARS Size float\nLOOKUP_TABLE default\n0.05\n" + 7 * "0\n")
+    cells = []
+    for arguments in ([], ["--edge-length-array", "Size"]):
+        succeed("mesh", path("cube.vtk"), "-o", path("cube.vtu"), "--report", path("cube.json"),
+                "--edge-length", "0.25", "--tolerance", "0.05", *arguments)
+        cells.append(report(path("cube.json"))["figures"]["NumberOfHexes"])
+    assert cells[1] > 1.5 * cells[0], cells
+    fail(BAD_ARGUMENTS, "InvalidOption", "mesh", path("cube.vtk"), "-o", path("cube.vtu"),
+         "--edge-length-array", "size", words='no point array "size"')
+    for name in ("cube.vtk", "cube.vtu", "cube.json"):
+        os.remove(path(name))
+
     # Success replaces it; names with spaces and other letters; a relative name.
     succeed("mesh", SPHERE, "-o", path("out.vtu"), *FAST)
     assert content(path("out.vtu")).startswith(b"<?xml")

@@ -22,7 +22,8 @@ with folder() as place:
     assert content["input"] == {"file": SPHERE, "points": 2160, "faces": 720}, content["input"]
     assert content["output"] == {"file": out}
     assert content["options"] == {
-        "tolerance": 0.02, "edge-length": 0.25, "features": "", "feature-angle": 0, "enforce-all-features": False, "max-level": 3,
+        "tolerance": 0.02, "edge-length": 0.25,
+        "edge-length-array": "", "features": "", "feature-angle": 0, "enforce-all-features": False, "max-level": 3,
         "max-cells": 1000000, "max-rounds": 7, "min-scaled-jacobian": 0.4, "align": True,
         "time-limit": 250, "nodes-per-hex": 8, "threads": 1}, content["options"]
     missing = figures - set(content["figures"])

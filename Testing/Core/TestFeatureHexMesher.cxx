@@ -106,3 +106,48 @@ TEST(FeatureHexMesher, FeaturesThatNoMeshCanHaveAreGivenUp)
   EXPECT_NE(result.Rounds[0].Reason.find("with 12 curves"), std::string::npos)
     << result.Rounds[0].Reason;
 }
+
+TEST(FeatureHexMesher, HexesAreAsSmallAsWanted)
+{
+  SurfaceMesh surface;
+  MeshingOptions options;
+  Read("cube_xyz_25", surface, options);
+  options.Features = FeatureInput();
+  options.Tolerance = 0.02;
+  options.EdgeLengths.assign(surface.Points.size(), 0.0);
+  options.EdgeLengths[3] = 0.3 * options.TargetEdgeLength;
+  Monitor monitor;
+  MeshingResult result;
+  Status status = MeshSurface(surface, options, monitor, result);
+  ASSERT_TRUE(status.Ok()) << status.Message;
+  const Vec3 corner = surface.Points[3];
+  Vec3 opposite = corner;
+  for (const Vec3& p : surface.Points)
+  {
+    opposite = (p - corner).norm() > (opposite - corner).norm() ? p : opposite;
+  }
+  const auto levelNear = [&](const Vec3& place) {
+    std::size_t nearest = 0;
+    double least = 1e300;
+    for (std::size_t h = 0; h < result.Mesh.Hexes.size(); ++h)
+    {
+      const double distance = (result.Mesh.Points[result.Mesh.Hexes[h][0]] - place).norm();
+      nearest = distance < least ? h : nearest;
+      least = std::min(least, distance);
+    }
+    return result.Level[nearest];
+  };
+  EXPECT_EQ(levelNear(corner), 2);
+  EXPECT_LT(levelNear(opposite), 2);
+
+  options.EdgeLengths[5] = -1;
+  status = MeshSurface(surface, options, monitor, result);
+  EXPECT_EQ(status.Code, StatusCode::InvalidOption);
+  EXPECT_NE(status.Message.find("at point 5"), std::string::npos) << status.Message;
+  ASSERT_EQ(status.Where.size(), 1u);
+  EXPECT_EQ(status.Where[0], surface.Points[5]);
+  options.EdgeLengths.pop_back();
+  status = MeshSurface(surface, options, monitor, result);
+  EXPECT_EQ(status.Code, StatusCode::InvalidOption);
+  EXPECT_NE(status.Message.find("give one for each"), std::string::npos) << status.Message;
+}

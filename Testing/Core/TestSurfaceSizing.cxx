@@ -305,3 +305,38 @@ TEST(SurfaceSizing, SaggingShareCountsSmoothPlacesOnly)
   options.Sag = 1e-3;
   EXPECT_EQ(SaggingShare(SampleSurface(box, 0.3), boxSearch, options, monitor), 0);
 }
+
+TEST(SurfaceSizing, WantedLengthsRefineWhereTheyAreSmaller)
+{
+  const SurfaceMesh box = BoxSurface(Vec3::Zero(), Vec3::Constant(8));
+  Monitor monitor;
+  const auto sizing = [&](const std::vector<double>& lengths, int maximumLevel) {
+    return ComputeWantedSizing(box, lengths, 1.0, maximumLevel, monitor);
+  };
+  std::vector<double> lengths(box.Points.size(), 0.0);
+  EXPECT_TRUE(sizing(lengths, 4).empty()); // no wish
+  lengths.assign(box.Points.size(), 1.5);
+  EXPECT_TRUE(sizing(lengths, 4).empty()); // larger ones are none
+  lengths.assign(box.Points.size(), 0.5);
+  for (const RefinementPoint& point : sizing(lengths, 4))
+  {
+    EXPECT_EQ(point.Level, 1);
+  }
+  // From 0.2 at x = 0, which takes three halvings, to 1.4 at x = 8.
+  for (std::size_t p = 0; p < box.Points.size(); ++p)
+  {
+    lengths[p] = 0.2 + 0.15 * box.Points[p][0];
+  }
+  const std::vector<RefinementPoint> points = sizing(lengths, 4);
+  EXPECT_EQ(HighestLevel(points), 3);
+  EXPECT_EQ(HighestLevel(sizing(lengths, 2)), 2);
+  double farthest = 0;
+  for (const RefinementPoint& point : points)
+  {
+    const double wanted = 0.2 + 0.15 * point.Position[0];
+    EXPECT_LE(std::ldexp(1.0, -point.Level), wanted * (1 + 1e-5));
+    EXPECT_GT(std::ldexp(2.0, -point.Level), wanted);
+    farthest = std::max(farthest, point.Position[0]);
+  }
+  EXPECT_NEAR(farthest, 0.8 / 0.15, 0.2);
+}

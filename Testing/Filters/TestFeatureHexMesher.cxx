@@ -4,6 +4,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCubeSource.h"
 #include "vtkFeatureHexMesher.h"
+#include "vtkFloatArray.h"
 #include "vtkHexMeshReader.h"
 #include "vtkHexMeshWriter.h"
 #include "vtkHexValidationFilter.h"
@@ -386,6 +387,34 @@ TEST(FeatureHexMesher, AnnotationsThatCanNotBeUsed)
   // Lines of another surface.
   mesher->SetInputDataObject(1, EdgesOfCube());
   ExpectFailure(mesher, "no point of the surface");
+}
+
+TEST(FeatureHexMesher, EdgeLengthsOfAPointArray)
+{
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(Sphere());
+  vtkNew<vtkFloatArray> lengths;
+  lengths->SetName("Size");
+  for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
+  {
+    lengths->InsertNextValue(surface->GetPoint(p)[0] > 0 ? 0.1f : 0.0f);
+  }
+  surface->GetPointData()->AddArray(lengths);
+  auto mesher = CoarseMesher(surface);
+  mesher->Update();
+  const vtkIdType hexes = MeshOf(mesher)->GetNumberOfCells();
+  for (const char* none : { "", "None" })
+  {
+    mesher->SetEdgeLengthArray(none);
+    mesher->Update();
+    EXPECT_EQ(MeshOf(mesher)->GetNumberOfCells(), hexes);
+  }
+  mesher->SetEdgeLengthArray("Size");
+  mesher->Update();
+  EXPECT_GT(MeshOf(mesher)->GetNumberOfCells(), 1.5 * hexes);
+  EXPECT_GT(MeshOf(mesher)->GetCellData()->GetArray("Level")->GetRange()[1], 0);
+  mesher->SetEdgeLengthArray("Sizes");
+  ExpectFailure(mesher, "no point array \"Sizes\"");
 }
 
 TEST(FeatureHexMesher, OptionsAreClampedAndPrinted)

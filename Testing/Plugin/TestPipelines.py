@@ -65,6 +65,14 @@ hint = automatic.SMProxy.GetProperty("TargetEdgeLength")
 assert hint.ResetToDomainDefaults()
 assert abs(hint.GetElement(0) - 2 / 20) < 0.01, hint.GetElement(0)
 
+# Edge lengths by a point array.
+sized = simple.Calculator(Input=surface, ResultArrayName="Size", Function="0.1 * (coordsX > 0)")
+finer = composite(sized)
+assert finer.EdgeLengthArray == "None"
+assert fetch(finer).GetNumberOfCells() == mesh.GetNumberOfCells()
+finer.EdgeLengthArray = "Size"
+assert fetch(finer).GetNumberOfCells() > 1.2 * mesh.GetNumberOfCells()
+
 # Files: what the writers write the readers read.
 folder = os.environ["FEATUREHEX_TEMPORARY_DIR"]
 path = os.path.join(folder, "proxies.mesh")

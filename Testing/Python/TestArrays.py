@@ -56,6 +56,13 @@ broken[7] = broken[7][[4, 5, 6, 7, 0, 1, 2, 3]]
 broken = featurehex.check(featurehex.HexMesh(sphere.points, broken), points, triangles)
 assert not broken.valid and broken.verdict and broken.scaled_jacobian[7] < 0
 
+# Smaller where wanted.
+finer = featurehex.mesh(points, triangles, edge_lengths=0.1 * (points[:, 0] > 0), **FAST)
+assert len(finer.hexes) > 1.5 * len(sphere.hexes)
+fails(ValueError, "5 values for", featurehex.mesh, points, triangles, edge_lengths=[0.1] * 5)
+fails(featurehex.MeshingError, "point 0 edge length", featurehex.mesh, points, triangles,
+      edge_lengths=numpy.full(len(points), numpy.nan))
+
 #--- features: given and by angle ------------------------------------------------------------------
 given = featurehex.Features(EDGES)
 cube = featurehex.mesh(CORNERS, TRIANGLES, features=given, edge_length=0.2, tolerance=0.02)

@@ -30,6 +30,7 @@ struct MeshArguments
   // Defaults and ranges are those of vtkFeatureHexMesher.
   double Tolerance = 0.0;
   double EdgeLength = 0.0;
+  std::string EdgeLengthArray; ///< empty: none
   int MaximumLevel = 0;
   long long MaximumNumberOfCells = 0;
   int MaximumRounds = 0;

@@ -99,7 +99,8 @@ void AddOptions(const MeshArguments& arguments, Report& report)
   report["input"] = { { "file", arguments.Input } };
   report["output"] = { { "file", arguments.Output } };
   report["options"] = { { "tolerance", arguments.Tolerance },
-    { "edge-length", arguments.EdgeLength }, { "features", arguments.Features.File },
+    { "edge-length", arguments.EdgeLength }, { "edge-length-array", arguments.EdgeLengthArray },
+    { "features", arguments.Features.File },
     { "feature-angle", arguments.Features.ByAngle ? arguments.Features.Angle : 0.0 },
     { "enforce-all-features", arguments.Features.EnforceAll },
     { "max-level", arguments.MaximumLevel }, { "max-cells", arguments.MaximumNumberOfCells },
@@ -113,6 +114,7 @@ void SetOptions(const MeshArguments& arguments, vtkFeatureHexMesher* mesher)
 {
   mesher->SetTolerance(arguments.Tolerance);
   mesher->SetTargetEdgeLength(arguments.EdgeLength);
+  mesher->SetEdgeLengthArray(arguments.EdgeLengthArray.c_str());
   mesher->SetMaximumLevel(arguments.MaximumLevel);
   mesher->SetMaximumNumberOfCells(arguments.MaximumNumberOfCells);
   mesher->SetMaximumRounds(arguments.MaximumRounds);

@@ -111,6 +111,10 @@ CLI::App* AddMesh(CLI::App& app, featurehex::MeshArguments& arguments)
     mesher->GetTargetEdgeLengthMaxValue(), "L",
     "Size of the hexes at the surface, model units; 0: longest side of the bounding box / 20, "
     "with sharp features / 18, or larger where nothing asks for as small ones");
+  command
+    ->add_option("--edge-length-array", arguments.EdgeLengthArray,
+      "Point array of IN (VTP, VTK) with the largest size wanted there, model units; 0: no wish")
+    ->type_name("NAME");
   AddFeatures(command, arguments.Features, mesher->GetFeatureAngleMinValue(),
     mesher->GetFeatureAngleMaxValue());
   // Nothing to store.

@@ -108,8 +108,9 @@ class MeshCheck:
 
 
 def mesh(points: ArrayLike, triangles: ArrayLike, *, tolerance: Optional[float] = None,
-         edge_length: Optional[float] = None, features: Optional[Features] = None,
-         feature_angle: Optional[float] = None, enforce_all_features: bool = False,
+         edge_length: Optional[float] = None, edge_lengths: Optional[ArrayLike] = None,
+         features: Optional[Features] = None, feature_angle: Optional[float] = None,
+         enforce_all_features: bool = False,
          minimum_scaled_jacobian: Optional[float] = None, maximum_level: Optional[int] = None,
          maximum_cells: Optional[int] = None, maximum_rounds: Optional[int] = None,
          align: bool = False, time_limit: Optional[float] = None,
@@ -121,6 +122,7 @@ def mesh(points: ArrayLike, triangles: ArrayLike, *, tolerance: Optional[float] 
 
     tolerance: largest distance between mesh and surface, fraction of the diagonal of the box.
     edge_length: of the hexahedra at the surface, model units; 0: by the size of the surface.
+    edge_lengths: (n,), the largest ones wanted at the points; 0: no wish.
     features: sharp edges to reproduce; feature_angle: find them, degrees (140 is usual). Without
     both there are none.
     time_limit: seconds; 0: none.
@@ -137,6 +139,8 @@ def mesh(points: ArrayLike, triangles: ArrayLike, *, tolerance: Optional[float] 
     _set(mesher, Tolerance=tolerance, TargetEdgeLength=edge_length, MaximumLevel=maximum_level,
          MaximumNumberOfCells=maximum_cells, MaximumRounds=maximum_rounds, TimeLimit=time_limit,
          MinimumScaledJacobian=minimum_scaled_jacobian, FeatureAngle=feature_angle)
+    if edge_lengths is not None:
+        mesher.SetEdgeLengthArray(_add_edge_lengths(surface, edge_lengths))
     mesher.SetAlignToPrincipalAxes(align)
     mesher.SetEnforceAllFeatures(enforce_all_features)
     if feature_angle is not None:
@@ -271,6 +275,18 @@ def _surface_of(points: ArrayLike, triangles: ArrayLike) -> vtkPolyData:
     _check_ids(ids, surface.GetNumberOfPoints(), "triangles")
     surface.SetPolys(_cells_of(ids, 3))
     return surface
+
+
+def _add_edge_lengths(surface: vtkPolyData, edge_lengths: ArrayLike) -> str:
+    """Adds the point array and returns its name."""
+    values = _table(numpy.reshape(edge_lengths, (-1, 1)), 1, numpy.float64, "edge_lengths")
+    if len(values) != surface.GetNumberOfPoints():
+        raise ValueError("edge_lengths: %d values for %d points" % (
+            len(values), surface.GetNumberOfPoints()))
+    lengths = numpy_to_vtk(values, deep=True)
+    lengths.SetName("EdgeLength")
+    surface.GetPointData().AddArray(lengths)
+    return "EdgeLength"
 
 
 def _annotation_of(surface: vtkPolyData, features: Features) -> vtkPolyData:
