@@ -126,6 +126,7 @@ std::vector<Index> ComponentOfInputTriangle(const SurfaceCheckReport& check)
 //------------------------------------------------------------------------------
 vtkFeatureHexMesher::vtkFeatureHexMesher()
 {
+  this->SetEdgeLengthArray("None");
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(5);
 }

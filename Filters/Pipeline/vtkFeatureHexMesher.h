@@ -129,7 +129,7 @@ public:
   /**
    * Name of a point array of the surface with one component: the largest edge length wanted there,
    * model units; 0: no wish. TargetEdgeLength is the largest anywhere, cells are at most
-   * MaximumLevel halvings smaller. Empty or None: no such array. Default: null.
+   * MaximumLevel halvings smaller. Empty or None: no such array. Default: None.
    */
   vtkSetStringMacro(EdgeLengthArray);
   vtkGetStringMacro(EdgeLengthArray);
