@@ -56,6 +56,9 @@ def documented(item, where):
 
 def check_range(instance, name, smproperty, where):
     default = getattr(instance, "Get" + name)()
+    if isinstance(default, str):
+        assert smproperty.GetDomain("array_list"), f"{where}: no domain"
+        return
     kinds = [smproperty.GetDomain(key) for key in ("bool", "enum", "range")]
     assert any(kinds), f"{where}: no domain"
     boolean, enumeration, limited = kinds
