@@ -32,10 +32,11 @@ constexpr AutomaticSizing AutomaticSizingFor(bool features)
 SizingOptions AutomaticSizingOptions(bool features, double edgeLength, double slack);
 
 /// Target edge length, model units: the longest side / CellsPerSide; less where quads of that size
-/// could not follow the curvature within @a slack, and more where even larger ones can. With features
-/// it is fitted to the flat faces (GridFit.h), and more where no thin part, no curvature and no
-/// feature asks for cells as small: a plain box needs ten a side. @a features: of the surface, without curves when there
-/// are none. @a axes: of the grid (GridAxes()). @a slack: model units, usually the tolerance.
+/// could not follow the curvature within @a slack, and more where even larger ones can. With
+/// features it is fitted to the flat faces (GridFit.h), and more where no thin part, no curvature
+/// and no feature asks for cells as small: a plain box needs ten a side. @a features: of the
+/// surface, without curves when there are none. @a axes: of the grid (GridAxes()). @a slack: model
+/// units, usually the tolerance.
 double AutomaticEdgeLength(const SurfaceGeometry& surface, const SurfaceFeatures& features,
   const Mat3& axes, double slack, Monitor& monitor);
 

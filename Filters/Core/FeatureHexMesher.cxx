@@ -157,8 +157,8 @@ void MeshingRounds::PrepareSizing()
   };
   if (!this->Options.EdgeLengths.empty())
   {
-    append(ComputeWantedSizing(this->Surface->Mesh(), this->WantedLengths(), this->EdgeLength,
-      this->Options.MaximumLevel, this->Progress));
+    append(ComputeWantedSizing(this->Surface->Mesh(), this->Surface->Search(),
+      this->WantedLengths(), this->EdgeLength, this->Options.MaximumLevel, this->Progress));
   }
   if (this->Result.SurfaceGraph.Curves.empty())
   {

@@ -20,7 +20,7 @@ constexpr double Pi = 3.14159265358979323846;
 constexpr int MaximumShrinks = 12;
 constexpr int MaximumClimbs = 30;
 
-/// Radii are lower bounds; this much less than wanted is enough.
+/// Radii are lower bounds; this much less than wanted is enough, and this much larger edges.
 constexpr double LevelTolerance = 0.97;
 
 /// A climb ends when steps of this fraction of the ball's radius no longer help.
@@ -428,13 +428,16 @@ double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSea
 }
 
 std::vector<RefinementPoint> ComputeWantedSizing(const SurfaceMesh& surface,
-  const std::vector<double>& lengths, double targetEdgeLength, int maximumLevel, Monitor& monitor)
+  const TriangleSearch& search, const std::vector<double>& lengths, double targetEdgeLength,
+  int maximumLevel, Monitor& monitor)
 {
-  const auto wanted = [&](double length) { return length > 0 ? length : targetEdgeLength; };
+  const auto wanted = [&](Index point) {
+    return lengths[point] > 0 ? lengths[point] : targetEdgeLength;
+  };
   double least = targetEdgeLength;
-  for (double length : lengths)
+  for (std::size_t p = 0; p < lengths.size(); ++p)
   {
-    least = std::min(least, wanted(length));
+    least = std::min(least, wanted(static_cast<Index>(p)));
   }
   const double finest = std::max(least, std::ldexp(targetEdgeLength, -maximumLevel));
   if (!(finest < targetEdgeLength))
@@ -450,16 +453,13 @@ std::vector<RefinementPoint> ComputeWantedSizing(const SurfaceMesh& surface,
       return {};
     }
     const Triangle& t = surface.Triangles[sample.Triangle];
-    const Vec3 u = surface.Points[t[1]] - surface.Points[t[0]];
-    const Vec3 v = surface.Points[t[2]] - surface.Points[t[0]];
-    const Vec3 normal = u.cross(v);
-    const Vec3 d = sample.Position - surface.Points[t[0]];
-    const double second = d.cross(v).dot(normal) / normal.squaredNorm();
-    const double third = u.cross(d).dot(normal) / normal.squaredNorm();
-    const double length = (1 - second - third) * wanted(lengths[t[0]]) +
-      second * wanted(lengths[t[1]]) + third * wanted(lengths[t[2]]);
-    const int level = std::min(
-      maximumLevel, static_cast<int>(std::ceil(std::log2(targetEdgeLength / length) - 1e-6)));
+    const Vec3 weights = search.ClosestOn(sample.Position, sample.Triangle).Barycentric;
+    const double length = weights.dot(Vec3(wanted(t[0]), wanted(t[1]), wanted(t[2])));
+    int level = 0;
+    while (level < maximumLevel && length < LevelTolerance * std::ldexp(targetEdgeLength, -level))
+    {
+      ++level;
+    }
     if (level > 0)
     {
       points.push_back({ sample.Position, level });

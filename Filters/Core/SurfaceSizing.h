@@ -91,8 +91,8 @@ double SaggingShare(const std::vector<SurfaceSample>& samples, const TriangleSea
 /// wants: one per point of the surface, model units, 0: no wish; linear in each triangle. At most
 /// @a maximumLevel halvings. Empty when the monitor stops it.
 std::vector<RefinementPoint> ComputeWantedSizing(const SurfaceMesh& surface,
-  const std::vector<double>& lengths, double targetEdgeLength, int maximumLevel,
-  Monitor& monitor);
+  const TriangleSearch& search, const std::vector<double>& lengths, double targetEdgeLength,
+  int maximumLevel, Monitor& monitor);
 
 /// Refinement points where cells of the target edge length are too large for the local thickness or
 /// gap, with the level they need, in sample order.

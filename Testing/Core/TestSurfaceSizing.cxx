@@ -309,9 +309,10 @@ TEST(SurfaceSizing, SaggingShareCountsSmoothPlacesOnly)
 TEST(SurfaceSizing, WantedLengthsRefineWhereTheyAreSmaller)
 {
   const SurfaceMesh box = BoxSurface(Vec3::Zero(), Vec3::Constant(8));
+  const TriangleSearch search(box.Points, box.Triangles);
   Monitor monitor;
   const auto sizing = [&](const std::vector<double>& lengths, int maximumLevel) {
-    return ComputeWantedSizing(box, lengths, 1.0, maximumLevel, monitor);
+    return ComputeWantedSizing(box, search, lengths, 1.0, maximumLevel, monitor);
   };
   std::vector<double> lengths(box.Points.size(), 0.0);
   EXPECT_TRUE(sizing(lengths, 4).empty()); // no wish
@@ -334,9 +335,9 @@ TEST(SurfaceSizing, WantedLengthsRefineWhereTheyAreSmaller)
   for (const RefinementPoint& point : points)
   {
     const double wanted = 0.2 + 0.15 * point.Position[0];
-    EXPECT_LE(std::ldexp(1.0, -point.Level), wanted * (1 + 1e-5));
+    EXPECT_LT(0.96 * std::ldexp(1.0, -point.Level), wanted);
     EXPECT_GT(std::ldexp(2.0, -point.Level), wanted);
     farthest = std::max(farthest, point.Position[0]);
   }
-  EXPECT_NEAR(farthest, 0.8 / 0.15, 0.2);
+  EXPECT_NEAR(farthest, (0.97 - 0.2) / 0.15, 0.2);
 }
